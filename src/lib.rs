@@ -1,0 +1,4 @@
+//! ray_test
+#![forbid(unsafe_code)]
+pub mod job;
+pub mod workload;
