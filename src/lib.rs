@@ -1,4 +1,10 @@
 //! ray_test
 #![forbid(unsafe_code)]
 pub mod job;
+pub mod batch;
+pub mod kernels;
+pub mod level;
+pub mod number;
+pub mod policy;
+pub mod registry;
 pub mod workload;

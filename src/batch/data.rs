@@ -1,0 +1,196 @@
+//! The prepared data behind a [`Job`], generic over kernel and element only.
+
+use super::nearest::{ANSWER_NUMBERS, RAY_NUMBERS, Scene};
+use super::pairs::Walk;
+use crate::job::{Answer, Block, Job, Tally};
+use crate::number::{Element, Vec3};
+use crate::policy::Ray;
+use crate::workload;
+
+/// A ray of a workload in the precision `E`; infinite bounds become the largest finite number.
+pub fn widened<E: Element>(ray: &workload::Ray) -> Ray<E> {
+    let vector = |v: glam::Vec3| Vec3(v.to_array().map(E::from_f32));
+    let bound = |t: f32| {
+        if t >= f32::MAX {
+            E::MAX
+        } else if t <= -f32::MAX {
+            -E::MAX
+        } else {
+            E::from_f32(t)
+        }
+    };
+    Ray {
+        origin: vector(ray.origin),
+        direction: vector(ray.direction),
+        end: vector(ray.end),
+        t_min: bound(ray.t_min),
+        t_max: bound(ray.t_max),
+    }
+}
+
+/// The compiled loop of a form over pairs.
+pub type PairsLoop<E, T> = fn(Walk<'_, (Ray<E>, T)>) -> Tally;
+
+/// The compiled loop of a form over packets of rays and all triangles.
+pub type NearestLoop<E, T> = fn(Scene<'_, E, T>) -> Tally;
+
+/// Pairs of rays and records with the loop that tests them.
+pub struct PairsJob<E, T> {
+    original: Vec<(Ray<E>, T)>,
+    laid_out: Vec<(Ray<E>, T)>,
+    run: PairsLoop<E, T>,
+    code: fn(&Ray<E>, &T) -> u8,
+}
+
+impl<E: Element, T: Copy> PairsJob<E, T> {
+    /// A job over `pairs`; `code` gives the exit of one test, for answers only.
+    pub fn new(
+        pairs: Vec<(Ray<E>, T)>,
+        run: PairsLoop<E, T>,
+        code: fn(&Ray<E>, &T) -> u8,
+    ) -> Self {
+        PairsJob { laid_out: pairs.clone(), original: pairs, run, code }
+    }
+}
+
+impl<E: Element, T: Copy> Job for PairsJob<E, T> {
+    fn items(&self) -> usize {
+        self.original.len()
+    }
+
+    fn tests_per_item(&self) -> u64 {
+        1
+    }
+
+    fn run(&mut self, block: Block) -> Tally {
+        let mut tally = Tally::default();
+        let pairs = self.laid_out.as_slice();
+        if block.literal {
+            for first in block.first..block.first + block.items {
+                tally = tally.plus((self.run)(Walk { pairs, first, step: 0, count: block.repeats }));
+            }
+        } else {
+            for _ in 0..block.repeats {
+                let walk = Walk { pairs, first: block.first, step: 1, count: block.items };
+                tally = tally.plus((self.run)(walk));
+            }
+        }
+        tally
+    }
+
+    fn permute(&mut self, permutation: &[u32]) {
+        for (place, &from) in self.laid_out.iter_mut().zip(permutation) {
+            *place = self.original[from as usize];
+        }
+    }
+
+    fn answers(&mut self) -> Vec<Answer> {
+        let mut answers = Vec::with_capacity(self.original.len());
+        for (first, (ray, record)) in self.original.iter().enumerate() {
+            let pairs = self.original.as_slice();
+            let tally = (self.run)(Walk { pairs, first, step: 1, count: 1 });
+            let number = |i: usize| E::from_bits(tally.bits[i]).to_f64();
+            answers.push(Answer {
+                triangle: (tally.hits > 0).then_some(first),
+                t: number(0),
+                u: number(1),
+                v: number(2),
+                code: (self.code)(ray, record),
+            });
+        }
+        answers
+    }
+}
+
+/// Packets of rays and records with the loop that tests them.
+pub struct NearestJob<E, T> {
+    lanes: usize,
+    original: Vec<E>,
+    laid_out: Vec<E>,
+    records: Vec<T>,
+    answers: Vec<E>,
+    run: NearestLoop<E, T>,
+}
+
+impl<E: Element, T: Copy> NearestJob<E, T> {
+    /// A job over `rays`, whose number is a multiple of `lanes`, and `records`.
+    pub fn new(lanes: usize, rays: &[Ray<E>], records: Vec<T>, run: NearestLoop<E, T>) -> Self {
+        let mut numbers = Vec::with_capacity(rays.len() * RAY_NUMBERS);
+        for packet in rays.chunks_exact(lanes) {
+            for row in 0..RAY_NUMBERS {
+                numbers.extend(packet.iter().map(|ray| ray_number(ray, row)));
+            }
+        }
+        let answers = vec![E::ZERO; rays.len() * ANSWER_NUMBERS];
+        NearestJob { lanes, laid_out: numbers.clone(), original: numbers, records, answers, run }
+    }
+}
+
+/// The `row`-th number of a ray, in the order of [`RAY_NUMBERS`].
+fn ray_number<E: Element>(ray: &Ray<E>, row: usize) -> E {
+    match row {
+        0..3 => ray.origin.0[row],
+        3..6 => ray.direction.0[row - 3],
+        6..9 => ray.end.0[row - 6],
+        9 => ray.t_min,
+        _ => ray.t_max,
+    }
+}
+
+impl<E: Element, T: Copy> Job for NearestJob<E, T> {
+    fn items(&self) -> usize {
+        self.laid_out.len() / (RAY_NUMBERS * self.lanes)
+    }
+
+    fn tests_per_item(&self) -> u64 {
+        (self.lanes * self.records.len()) as u64
+    }
+
+    fn run(&mut self, block: Block) -> Tally {
+        let (ray, answer) = (RAY_NUMBERS * self.lanes, ANSWER_NUMBERS * self.lanes);
+        let mut tally = Tally::default();
+        let mut run = |first: usize, items: usize| {
+            let scene = Scene {
+                rays: &self.laid_out[first * ray..(first + items) * ray],
+                records: &self.records,
+                answers: &mut self.answers[first * answer..(first + items) * answer],
+            };
+            tally = tally.plus((self.run)(scene));
+        };
+        if block.literal {
+            for first in block.first..block.first + block.items {
+                (0..block.repeats).for_each(|_| run(first, 1));
+            }
+        } else {
+            (0..block.repeats).for_each(|_| run(block.first, block.items));
+        }
+        tally
+    }
+
+    fn permute(&mut self, permutation: &[u32]) {
+        let ray = RAY_NUMBERS * self.lanes;
+        for (place, &from) in self.laid_out.chunks_exact_mut(ray).zip(permutation) {
+            place.copy_from_slice(&self.original[from as usize * ray..][..ray]);
+        }
+    }
+
+    fn answers(&mut self) -> Vec<Answer> {
+        self.laid_out.copy_from_slice(&self.original);
+        self.run(Block::whole(self));
+        let mut answers = Vec::with_capacity(self.items() * self.lanes);
+        for packet in self.answers.chunks_exact(ANSWER_NUMBERS * self.lanes) {
+            for lane in 0..self.lanes {
+                let number = |row: usize| packet[row * self.lanes + lane].to_f64();
+                let triangle = (number(0) >= 0.0).then_some(number(0) as usize);
+                answers.push(Answer {
+                    triangle,
+                    t: number(1),
+                    u: number(2),
+                    v: number(3),
+                    code: 255,
+                });
+            }
+        }
+        answers
+    }
+}

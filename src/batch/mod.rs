@@ -1,0 +1,61 @@
+//! The loops around a test: pairs, nearest hits, points.
+//!
+//! A loop is generic over everything and compiled once per form; the data that it reads are
+//! generic over kernel and element only.
+
+mod data;
+mod listed;
+mod nearest;
+mod pairs;
+mod points;
+
+pub use data::{NearestJob, NearestLoop, PairsJob, PairsLoop, widened};
+pub use listed::Listed;
+pub use nearest::Nearest;
+pub use pairs::Pairs;
+pub use points::Points;
+
+use crate::number::{Element, Mask, Real, Vec3};
+use crate::policy::{Found, Output, Policy, Ray};
+
+/// Sums of the outputs of hits, in the bit patterns of [`crate::job::Tally`].
+#[derive(Clone, Copy, Default)]
+struct Sums {
+    hits: u64,
+    bits: [u64; 9],
+}
+
+impl Sums {
+    /// Adds a hit, or nothing: without a branch, so that `full` forms stay free of jumps.
+    #[inline(always)]
+    fn add<E: Element>(&mut self, hit: bool, outputs: &[E]) {
+        self.hits += u64::from(hit);
+        let keep = u64::from(hit).wrapping_neg();
+        for (sum, output) in self.bits.iter_mut().zip(outputs) {
+            *sum = sum.wrapping_add(output.bits() & keep);
+        }
+    }
+}
+
+/// Adds what the form `P` reports of one scalar test.
+#[inline(always)]
+fn report<P: Policy, E: Element>(sums: &mut Sums, ray: &Ray<E>, found: &Found<E>, normal: Vec3<E>) {
+    let Found { hit, t, u, v } = *found;
+    if P::Output::SURFACE {
+        let [x, y, z] = surface_point(ray.origin, ray.direction, t).0;
+        let [nx, ny, nz] = normal.0;
+        sums.add(hit.lane(0), &[t, u, v, x, y, z, nx, ny, nz]);
+    } else if P::Output::UV {
+        sums.add(hit.lane(0), &[t, u, v]);
+    } else if P::Output::T {
+        sums.add(hit.lane(0), &[t]);
+    } else {
+        sums.add::<E>(hit.lane(0), &[]);
+    }
+}
+
+/// o + t d
+#[inline(always)]
+fn surface_point<R: Real>(origin: Vec3<R>, direction: Vec3<R>, t: R) -> Vec3<R> {
+    origin + direction.scaled(t)
+}

@@ -1,0 +1,120 @@
+//! The kernels: one file per algorithm, each written once.
+//!
+//! A kernel has three stages. [`Kernel::prepare`] runs once per triangle and fills the stored
+//! record. [`Kernel::meet`] runs once per triangle and packet, on scalars, and broadcasts what the
+//! rays of a packet share. [`Kernel::test`] runs per ray, or per packet of rays.
+
+mod angle_sum;
+mod badouel_cramer;
+mod chirkov;
+mod half_spaces;
+mod keidy;
+mod kensler_shirley;
+pub mod listings;
+mod moller_trumbore;
+mod perpendicular_planes;
+mod plucker;
+mod shevtsov;
+mod signed_areas;
+mod stored;
+mod wald;
+
+pub use angle_sum::AngleSum;
+pub use badouel_cramer::BadouelCramer;
+pub use chirkov::Chirkov;
+pub use half_spaces::HalfSpaces;
+pub use keidy::Keidy;
+pub use kensler_shirley::KenslerShirley;
+pub use moller_trumbore::MollerTrumbore;
+pub use perpendicular_planes::PerpendicularPlanes;
+pub use plucker::Plucker;
+pub use shevtsov::Shevtsov;
+pub use signed_areas::SignedAreas;
+pub use stored::{Precomputed, Stored, Vertices, WithNormal};
+pub use wald::Wald;
+
+use crate::number::{Element, Real, Vec3};
+use crate::policy::{Found, Miss, Policy, Ray};
+
+/// The corners of a triangle: u is the weight of `b`, v of `c`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corners<R> {
+    /// Vertex a.
+    pub a: Vec3<R>,
+    /// Vertex b.
+    pub b: Vec3<R>,
+    /// Vertex c.
+    pub c: Vec3<R>,
+}
+
+impl<R: Real> Corners<R> {
+    /// The edges b - a and c - a.
+    #[inline(always)]
+    pub fn edges(&self) -> (Vec3<R>, Vec3<R>) {
+        (self.b - self.a, self.c - self.a)
+    }
+    /// The same corners in every lane.
+    #[inline(always)]
+    pub fn splat(token: R::Token, corners: &Corners<R::Element>) -> Self {
+        Corners {
+            a: Vec3::splat(token, corners.a),
+            b: Vec3::splat(token, corners.b),
+            c: Vec3::splat(token, corners.c),
+        }
+    }
+}
+
+/// What a reader should know of a kernel before its code.
+#[derive(Clone, Copy, Debug)]
+pub struct About {
+    /// The id: the name in lower case with hyphens.
+    pub id: &'static str,
+    /// The name as its authors write it.
+    pub name: &'static str,
+    /// Year of publication (of the folklore ones: of the thesis that describes them).
+    pub year: u16,
+    /// Paper and section of the formula.
+    pub source: &'static str,
+    /// What is prepared per triangle, in words.
+    pub setup: &'static str,
+    /// The column `stored`: what the record holds.
+    pub stored: &'static str,
+    /// Whether rays through shared edges and vertices are never lost.
+    pub watertight: bool,
+    /// Meaning of the return codes from 1 on.
+    pub codes: &'static [&'static str],
+}
+
+/// A ray-triangle test, written over a number and a policy.
+pub trait Kernel: 'static {
+    /// What it is.
+    const ABOUT: About;
+    /// What is stored of one triangle.
+    type Record<E: Element>: Copy + 'static;
+    /// The record, in lanes, with what a packet's rays share.
+    type Met<R: Real>: Copy;
+
+    /// The record of a triangle; any triangle, degenerate ones too.
+    fn prepare<E: Element>(corners: &Corners<E>) -> Self::Record<E>;
+    /// What is done once per triangle and packet.
+    fn meet<P: Policy, R: Real>(token: R::Token, record: &Self::Record<R::Element>) -> Self::Met<R>;
+    /// The test.
+    ///
+    /// # Errors
+    /// [`Miss`] with the exit's code, in `early` forms, when no lane can hit any more.
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, met: &Self::Met<R>) -> Result<Found<R>, Miss>;
+    /// A normal of the triangle, of any length, on the side from which a, b, c is counter-clockwise.
+    fn normal<P: Policy, R: Real>(met: &Self::Met<R>) -> Vec3<R>;
+}
+
+/// A kernel that can say whether a point of the triangle's plane lies in the triangle.
+pub trait PointTest: Kernel {
+    /// The weights of b and c, and where the point is inside.
+    ///
+    /// # Errors
+    /// [`Miss`] as [`Kernel::test`].
+    fn contains<P: Policy, R: Real>(
+        point: &Vec3<R>,
+        met: &Self::Met<R>,
+    ) -> Result<(R::Mask, R, R), Miss>;
+}

@@ -1,0 +1,98 @@
+//! Pluecker coordinates: J. Amanatides, K. Choi, "Ray Tracing Triangular Meshes", 1997; J. Erickson,
+//! "Pluecker Coordinates", Ray Tracing News 10(3), 1997; thesis H, 3.2.4 (whose sixth term is
+//! printed with the wrong sign: it is B_y - A_y).
+//!
+//! Formula: a line through A with direction e has the coordinates (e ; A x e); the side of the ray
+//! (d ; m), m = o x d, to the edge AB is d . (A x B) + m . (B - A). Inside, the three sides have
+//! one sign; they are the weights of C (side of AB), A (BC) and B (CA), and their sum is d . n.
+//! t = n . (a - o) / (d . n).
+//! Stored: 9 numbers; the edges' coordinates are met once per packet. Prepared per ray: m.
+//! Operations of a hit with m: 36 x, 33 +-, 2 /, and per packet 24 x, 21 -.
+//! Known weakness: A x B of absolute coordinates cancels with the square of the offset.
+
+use super::{About, Corners, Kernel};
+use crate::number::{Element, Real, Vec3};
+use crate::policy::{Found, Miss, Policy, Ray};
+use super::half_spaces::finish_sides;
+
+/// See the module's text.
+pub struct Plucker;
+
+/// One edge: direction and moment.
+#[derive(Clone, Copy)]
+struct Edge<R> {
+    direction: Vec3<R>,
+    moment: Vec3<R>,
+}
+
+/// The edges AB, BC and CA, a corner and the normal.
+#[derive(Clone, Copy)]
+pub struct Met<R> {
+    edges: [Edge<R>; 3],
+    a: Vec3<R>,
+    n: Vec3<R>,
+}
+
+impl<R: Real> Edge<R> {
+    #[inline(always)]
+    fn of<P: Policy>(token: R::Token, from: Vec3<R::Element>, to: Vec3<R::Element>) -> Self {
+        Edge {
+            direction: Vec3::splat(token, to - from),
+            moment: Vec3::splat(token, P::cross(from, to)),
+        }
+    }
+    #[inline(always)]
+    fn side<P: Policy>(&self, ray: &Ray<R>, moment: Vec3<R>) -> R {
+        P::dot(ray.direction, self.moment) + P::dot(moment, self.direction)
+    }
+}
+
+impl Kernel for Plucker {
+    const ABOUT: About = About {
+        id: "plucker",
+        name: "Plücker coordinates",
+        year: 1997,
+        source: "Amanatides and Choi, 1997; Erickson, Ray Tracing News 10(3), 1997; thesis H, 3.2.4",
+        setup: "none: three vertices",
+        stored: "vertices",
+        watertight: false,
+        codes: &["the sides differ, or det is 0", "t outside"],
+    };
+    type Record<E: Element> = Corners<E>;
+    type Met<R: Real> = Met<R>;
+
+    fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
+        *corners
+    }
+
+    #[inline(always)]
+    fn meet<P: Policy, R: Real>(token: R::Token, tri: &Corners<R::Element>) -> Met<R> {
+        let (e1, e2) = tri.edges();
+        Met {
+            edges: [
+                Edge::of::<P>(token, tri.a, tri.b),
+                Edge::of::<P>(token, tri.b, tri.c),
+                Edge::of::<P>(token, tri.c, tri.a),
+            ],
+            a: Vec3::splat(token, tri.a),
+            n: Vec3::splat(token, P::cross(e1, e2)),
+        }
+    }
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+        let moment = P::cross(ray.origin, ray.direction);
+        let [ab, bc, ca] = &tri.edges;
+        let sides = [
+            bc.side::<P>(ray, moment),
+            ca.side::<P>(ray, moment),
+            ab.side::<P>(ray, moment),
+        ];
+        finish_sides::<P, R>(ray, sides, tri.n, tri.a - ray.origin)
+    }
+
+    #[inline(always)]
+    fn normal<P: Policy, R: Real>(tri: &Met<R>) -> Vec3<R> {
+        tri.n
+    }
+}

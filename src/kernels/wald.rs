@@ -1,0 +1,127 @@
+//! Wald: I. Wald, "Realtime Ray Tracing and Interactive Global Illumination", PhD thesis,
+//! Saarland University, 2004; thesis H, 3.4.2 and 4.3.4.
+//!
+//! Formula, along the axis w of n's largest component, (u, v) the next two in the cycle, all of n
+//! divided by n_w: t = (n . a - o_w - n_u o_u - n_v o_v) / (d_w + n_u d_u + n_v d_v), P = o + t d,
+//! beta = P_u b_u + P_v b_v + b_d, gamma = P_u c_u + P_v c_v + c_d.
+//! Stored: 10 words, 12 with padding (48 bytes in f32). Operations of a hit, divided first:
+//! 10 x, 12 +-, 1 /; divided last 18 x (15 before the last test).
+//! Known weakness: the plane's constant cancels far from the origin; slivers lose u and v twice.
+
+use super::shevtsov::{cycle, unprojected};
+use super::stored::{plain_cross, plain_dot};
+use super::{About, Corners, Kernel};
+use crate::number::{Axis, Element, Real, Vec3, dominant};
+use crate::policy::{Found, Miss, Policy, Ray, Scale};
+
+/// See the module's text.
+pub struct Wald;
+
+/// Three times three constants and a word of padding each; the first pad holds the axis.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct TriAccel<E> {
+    /// n_u / n_w, n_v / n_w, n . a / n_w
+    pub n: [E; 3],
+    /// Axis of projection.
+    pub w: u32,
+    /// b_u, b_v, b_d
+    pub b: [E; 3],
+    /// Carries the sign of n_w (the original leaves the word unused).
+    pub nw: E,
+    /// c_u, c_v, c_d
+    pub c: [E; 3],
+    /// Unused, as in the original.
+    pub unused: u32,
+}
+
+/// The record in lanes.
+#[derive(Clone, Copy)]
+pub struct Met<R: Real> {
+    w: Axis<R::Mask>,
+    n: Vec3<R>,
+    b: Vec3<R>,
+    c: Vec3<R>,
+    nw: R,
+}
+
+impl Kernel for Wald {
+    const ABOUT: About = About {
+        id: "wald",
+        name: "Wald",
+        year: 2004,
+        source: "Wald, PhD thesis, Saarland University, 2004",
+        setup: "projected plane and two lines (TriAccel)",
+        stored: "precomputed",
+        watertight: false,
+        codes: &["det is 0", "t outside", "u, v or u + v outside"],
+    };
+    type Record<E: Element> = TriAccel<E>;
+    type Met<R: Real> = Met<R>;
+
+    fn prepare<E: Element>(corners: &Corners<E>) -> TriAccel<E> {
+        let (ab, ac) = corners.edges();
+        let n = plain_cross(ab, ac);
+        let w = dominant(n);
+        let [iw, iu, iv] = cycle(w);
+        // |AB_u AC_u; AB_v AC_v| is n_w itself.
+        let inverse = E::ONE / n.0[iw];
+        let plane = Vec3([n.0[iu] * inverse, n.0[iv] * inverse, E::ONE]);
+        let a = Vec3([corners.a.0[iu], corners.a.0[iv], corners.a.0[iw]]);
+        let (au, av) = (a.x(), a.y());
+        TriAccel {
+            n: [plane.x(), plane.y(), plain_dot(plane, a)],
+            w,
+            b: [
+                ac.0[iv] * inverse,
+                -ac.0[iu] * inverse,
+                (av * ac.0[iu] - au * ac.0[iv]) * inverse,
+            ],
+            nw: E::ONE.signed_by(n.0[iw]),
+            c: [
+                -ab.0[iv] * inverse,
+                ab.0[iu] * inverse,
+                (au * ab.0[iv] - av * ab.0[iu]) * inverse,
+            ],
+            unused: 0,
+        }
+    }
+
+    #[inline(always)]
+    fn meet<P: Policy, R: Real>(token: R::Token, record: &TriAccel<R::Element>) -> Met<R> {
+        Met {
+            w: Axis::stored(record.w),
+            n: Vec3::splat(token, Vec3(record.n)),
+            b: Vec3::splat(token, Vec3(record.b)),
+            c: Vec3::splat(token, Vec3(record.c)),
+            nw: R::splat(token, record.nw),
+        }
+    }
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+        let (w, u, v) = (tri.w, tri.w.next(), tri.w.next().next());
+        let (o, d) = (&ray.origin, &ray.direction);
+        let (du, dv, ou, ov) = (u.pick(d), v.pick(d), u.pick(o), v.pick(o));
+        let det = P::multiply_add(dv, tri.n.y(), P::multiply_add(du, tri.n.x(), w.pick(d)));
+        let hit = P::keep(P::divisible(det), 1)?;
+        let height = P::multiply_add(ov, tri.n.y(), P::multiply_add(ou, tri.n.x(), w.pick(o)));
+        let (t, scale) = P::quotient(tri.n.z() - height, det);
+        let hit = P::keep_range(hit, ray, t, scale, 2)?;
+        let (pu, pv) = (P::along(ou, du, t, scale), P::along(ov, dv, t, scale));
+        let beta = share::<P, R>(pu, pv, tri.b, scale);
+        let gamma = share::<P, R>(pu, pv, tri.c, scale);
+        let hit = P::keep(hit & P::inside(beta, gamma, scale), 3)?;
+        P::finish(hit, ray, [t, beta, gamma], scale)
+    }
+
+    #[inline(always)]
+    fn normal<P: Policy, R: Real>(tri: &Met<R>) -> Vec3<R> {
+        unprojected::<R>(tri.w, [tri.n.x(), tri.n.y(), tri.nw.one()], tri.nw)
+    }
+}
+
+#[inline(always)]
+fn share<P: Policy, R: Real>(pu: R, pv: R, line: Vec3<R>, scale: Scale<R>) -> R {
+    P::multiply_add(pu, line.x(), P::multiply_add(pv, line.y(), P::scaled(line.z(), scale)))
+}

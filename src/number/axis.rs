@@ -1,0 +1,80 @@
+//! The axis along which a triangle is projected, and the two that are kept.
+
+use super::{Element, Mask, Real, Vec3};
+
+/// Which component of a vector a projecting kernel drops.
+///
+/// `Uniform`: one triangle, so one axis for every lane. `Lanes`: one axis per lane (groups of
+/// triangles, frames per ray), as two masks.
+#[derive(Clone, Copy)]
+pub enum Axis<M> {
+    /// 0, 1 or 2 in every lane.
+    Uniform(usize),
+    /// Where the axis is 0, and where it is 1; elsewhere it is 2.
+    Lanes(M, M),
+}
+
+impl<M: Mask> Axis<M> {
+    /// A stored axis. Values above 2 cannot be stored by us; the clamp tells the optimiser so.
+    #[inline(always)]
+    pub fn stored(axis: u32) -> Self {
+        Axis::Uniform((axis as usize).min(2))
+    }
+
+    /// The next axis in the cycle x, y, z, x.
+    #[inline(always)]
+    pub fn next(self) -> Self {
+        match self {
+            Axis::Uniform(axis) => Axis::Uniform(if axis >= 2 { 0 } else { axis + 1 }),
+            Axis::Lanes(is_x, is_y) => Axis::Lanes(!(is_x | is_y), is_x),
+        }
+    }
+
+    /// The component of `v` along this axis.
+    #[inline(always)]
+    pub fn pick<R: Real<Mask = M>>(self, v: &Vec3<R>) -> R {
+        match self {
+            Axis::Uniform(axis) => v.0[axis],
+            Axis::Lanes(is_x, is_y) => R::select(is_x, v.0[0], R::select(is_y, v.0[1], v.0[2])),
+        }
+    }
+}
+
+/// The axis of the component of largest magnitude; the earlier one on a tie (thesis B, 3.15).
+pub fn dominant<E: Element>(v: Vec3<E>) -> u32 {
+    let [x, y, z] = [v.x().signed_by(v.x()), v.y().signed_by(v.y()), v.z().signed_by(v.z())];
+    if x.ge(y) & x.ge(z) {
+        0
+    } else if y.ge(z) {
+        1
+    } else {
+        2
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn uniform_and_lane_axes_pick_the_same_component() {
+        let v = Vec3([1.0f32, 2.0, 3.0]);
+        for axis in 0..3usize {
+            let uniform = Axis::<bool>::Uniform(axis);
+            let lanes = Axis::Lanes(axis == 0, axis == 1);
+            for (a, b) in [(uniform, lanes), (uniform.next(), lanes.next()), (uniform.next().next(), lanes.next().next())] {
+                assert_eq!(a.pick(&v), b.pick(&v));
+            }
+            assert_eq!(uniform.next().pick(&v), v.0[(axis + 1) % 3]);
+        }
+    }
+
+    #[test]
+    fn dominant_axis_is_the_largest_magnitude_and_the_first_on_ties() {
+        assert_eq!(dominant(Vec3([1.0f32, -3.0, 2.0])), 1);
+        assert_eq!(dominant(Vec3([-4.0f32, 3.0, 2.0])), 0);
+        assert_eq!(dominant(Vec3([0.0f32, 0.5, -2.0])), 2);
+        assert_eq!(dominant(Vec3([1.0f32, 1.0, 1.0])), 0);
+        assert_eq!(dominant(Vec3([0.0f32, -2.0, 2.0])), 1);
+    }
+}

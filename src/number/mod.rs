@@ -1,0 +1,138 @@
+//! What a number is: the smallest set of operations that every kernel is written over.
+//!
+//! | type | what comes out of a kernel's one source |
+//! |---|---|
+//! | `f32`, `f64` | the single-ray forms |
+//! | [`Lanes`] | packets: one lane a ray, in the registers of an instruction-set level |
+//! | [`Counted`] | the operations that a test executes, by kind |
+//! | `Exact` (tests) | rational numbers: the algebra without rounding |
+//!
+//! What is absent matters as much: no `min`, `max` or `abs` (they differ between levels for signed
+//! zeros and NaN; kernels build them from a comparison and [`Real::signed_by`]).
+
+mod axis;
+mod counted;
+mod lanes;
+mod scalar;
+mod vector;
+
+pub use axis::{Axis, dominant};
+pub use counted::{Counted, Operations, count};
+pub use lanes::{LaneMask, Lanes};
+pub use vector::Vec3;
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// The answer of a comparison: one truth value per lane.
+pub trait Mask:
+    Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
+    /// True if any lane is.
+    fn any(self) -> bool;
+    /// The truth value of one lane; `lane` is below [`Real::LANES`].
+    fn lane(self, lane: usize) -> bool;
+}
+
+/// A number, or one number per lane.
+///
+/// Comparisons with NaN are false, `ne` included excepted (`NaN != x` is true, as in IEEE 754),
+/// so a kernel that asks for what must hold, and never for what must not, misses on NaN.
+pub trait Real:
+    Copy
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// What comparisons give.
+    type Mask: Mask;
+    /// What memory holds of one lane.
+    type Element: Element;
+    /// Proof that the processor has the lanes' instructions; `()` for scalars.
+    type Token: Copy;
+    /// Number of lanes.
+    const LANES: usize;
+
+    /// The token that `self` was made with.
+    fn token(self) -> Self::Token;
+    /// The same element in every lane.
+    fn splat(token: Self::Token, element: Self::Element) -> Self;
+    /// The first [`Real::LANES`] elements of `elements`, which holds at least as many.
+    fn load(token: Self::Token, elements: &[Self::Element]) -> Self;
+    /// Writes the lanes to the first [`Real::LANES`] places of `elements`.
+    fn store(self, elements: &mut [Self::Element]);
+    /// `truth` in every lane.
+    fn mask(token: Self::Token, truth: bool) -> Self::Mask;
+
+    /// `self < other`.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// `self <= other`.
+    fn le(self, other: Self) -> Self::Mask;
+    /// `self > other`.
+    fn gt(self, other: Self) -> Self::Mask;
+    /// `self >= other`.
+    fn ge(self, other: Self) -> Self::Mask;
+    /// `self != other`.
+    fn ne(self, other: Self) -> Self::Mask;
+    /// `yes` where `mask` holds, else `no`.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// `self` with its sign flipped where the sign bit of `sign` is set (exact types: where it is
+    /// negative). `x.signed_by(x)` is the magnitude of `x`.
+    fn signed_by(self, sign: Self) -> Self;
+    /// Where the sign bit is set: -0 and negative NaN count.
+    fn sign_bit(self) -> Self::Mask;
+    /// `self * factor + addend` with one rounding. Only the `fused` forms call it, and only levels
+    /// with the instruction have them.
+    fn mul_add(self, factor: Self, addend: Self) -> Self;
+
+    /// `element` in every lane, with the token of `self`.
+    #[inline(always)]
+    fn like(self, element: Self::Element) -> Self {
+        Self::splat(self.token(), element)
+    }
+    /// Zero in every lane.
+    #[inline(always)]
+    fn zero(self) -> Self {
+        self.like(Self::Element::ZERO)
+    }
+    /// One in every lane.
+    #[inline(always)]
+    fn one(self) -> Self {
+        self.like(Self::Element::ONE)
+    }
+}
+
+/// A number that memory holds: a scalar whose masks are `bool`.
+pub trait Element: Real<Element = Self, Mask = bool, Token = ()> {
+    /// The column `precision`.
+    const NAME: &'static str;
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// The largest number whose reciprocal can overflow: the largest subnormal; 0 for exact types.
+    const LARGEST_SUBNORMAL: Self;
+    /// Half the distance from 1 to the next number; 0 for exact types.
+    const UNIT_ROUNDOFF: Self;
+    /// The largest finite number.
+    const MAX: Self;
+    /// The exact value of an f32 (`value` is finite).
+    fn from_f32(value: f32) -> Self;
+    /// The nearest f64.
+    fn to_f64(self) -> f64;
+    /// The bit pattern, zero-extended (0 for types that have none).
+    fn bits(self) -> u64;
+    /// The number with that bit pattern ([`Element::ZERO`] for types that have none).
+    fn from_bits(bits: u64) -> Self;
+    /// Square root, for what is prepared and for the sum of angles.
+    fn sqrt(self) -> Self;
+    /// Arc cosine from `libm`, the same on every machine; only the sum of angles calls it.
+    fn acos(self) -> Self;
+    /// An if-statement of a published listing: `Counted` counts it, others pass it on.
+    #[inline(always)]
+    fn condition(truth: bool) -> bool {
+        truth
+    }
+}

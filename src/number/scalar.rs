@@ -1,0 +1,117 @@
+//! `f32` and `f64` as numbers.
+
+use super::{Element, Mask, Real};
+
+impl Mask for bool {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn lane(self, _: usize) -> bool {
+        self
+    }
+}
+
+/// Both scalars from one text; what differs is named in the call.
+macro_rules! scalar {
+    ($float:ident, $bits:ident, $name:literal, $acos:path, $sign:expr) => {
+        impl Real for $float {
+            type Mask = bool;
+            type Element = Self;
+            type Token = ();
+            const LANES: usize = 1;
+
+            #[inline(always)]
+            fn token(self) {}
+            #[inline(always)]
+            fn splat((): (), element: Self) -> Self {
+                element
+            }
+            #[inline(always)]
+            fn load((): (), elements: &[Self]) -> Self {
+                elements[0]
+            }
+            #[inline(always)]
+            fn store(self, elements: &mut [Self]) {
+                elements[0] = self;
+            }
+            #[inline(always)]
+            fn mask((): (), truth: bool) -> bool {
+                truth
+            }
+            #[inline(always)]
+            fn lt(self, other: Self) -> bool {
+                self < other
+            }
+            #[inline(always)]
+            fn le(self, other: Self) -> bool {
+                self <= other
+            }
+            #[inline(always)]
+            fn gt(self, other: Self) -> bool {
+                self > other
+            }
+            #[inline(always)]
+            fn ge(self, other: Self) -> bool {
+                self >= other
+            }
+            #[inline(always)]
+            fn ne(self, other: Self) -> bool {
+                self != other
+            }
+            #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
+            }
+            #[inline(always)]
+            fn signed_by(self, sign: Self) -> Self {
+                Self::from_bits(self.to_bits() ^ (sign.to_bits() & $sign))
+            }
+            #[inline(always)]
+            fn sign_bit(self) -> bool {
+                self.to_bits() & $sign != 0
+            }
+            #[inline(always)]
+            fn mul_add(self, factor: Self, addend: Self) -> Self {
+                <$float>::mul_add(self, factor, addend)
+            }
+        }
+
+        impl Element for $float {
+            const NAME: &'static str = $name;
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const LARGEST_SUBNORMAL: Self = <$float>::MIN_POSITIVE.next_down();
+            const UNIT_ROUNDOFF: Self = <$float>::EPSILON / 2.0;
+            const MAX: Self = <$float>::MAX;
+            #[inline(always)]
+            fn from_f32(value: f32) -> Self {
+                Self::from(value)
+            }
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn bits(self) -> u64 {
+                u64::from(self.to_bits())
+            }
+            #[inline(always)]
+            fn from_bits(bits: u64) -> Self {
+                <$float>::from_bits(bits as $bits)
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                <$float>::sqrt(self)
+            }
+            #[inline(always)]
+            fn acos(self) -> Self {
+                $acos(self)
+            }
+        }
+    };
+}
+
+scalar!(f32, u32, "f32", libm::acosf, 1 << 31);
+scalar!(f64, u64, "f64", libm::acos, 1 << 63);

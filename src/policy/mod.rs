@@ -1,0 +1,246 @@
+//! What a kernel leaves open: the axes that turn one source into its many forms.
+//!
+//! Every axis is a type without data, so a form costs nothing at run time and its name stands in
+//! the symbols of the compiled program. A kernel sees the axes only through the provided methods
+//! of [`Policy`]: a `?` behind each test, and numerators that are compared with `one`.
+
+mod axes;
+mod scale;
+
+use std::marker::PhantomData;
+
+pub use axes::{
+    Between, Compare, Cull, Distance, Early, Exit, Facing, FromZero, Full, Fused, Hit, Inside,
+    Leading, Output, Plain, Products, Rounding, SignBits, Span, Surface, T, Tests, Tuv, TwoSided,
+};
+pub use scale::{Division, First, Last, Scale};
+
+use crate::number::{Mask, Real, Vec3};
+
+/// A ray, as a kernel sees it: one, or one per lane.
+#[derive(Clone, Copy)]
+pub struct Ray<R> {
+    /// Where t = 0.
+    pub origin: Vec3<R>,
+    /// Direction; t is counted in units of it.
+    pub direction: Vec3<R>,
+    /// End of the segment; only segment kernels read it.
+    pub end: Vec3<R>,
+    /// Smallest t that counts (not read by forms whose span starts at zero).
+    pub t_min: R,
+    /// Largest t that counts; finite.
+    pub t_max: R,
+}
+
+/// Why a test ended early: the return code of its exit path; never 0, which is a hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Miss(pub u8);
+
+/// What a test found, per lane. Without a `hit`, t, u and v mean nothing.
+#[derive(Clone, Copy)]
+pub struct Found<R: Real> {
+    /// Where the triangle is hit.
+    pub hit: R::Mask,
+    /// Distance in units of the direction.
+    pub t: R,
+    /// Weight of vertex b.
+    pub u: R,
+    /// Weight of vertex c.
+    pub v: R,
+}
+
+/// One value of every axis.
+pub trait Policy: Copy + 'static {
+    /// Leave early or do the full work.
+    type Exit: Exit;
+    /// Divide first or last.
+    type Division: Division;
+    /// How sums of products round.
+    type Rounding: Rounding;
+    /// What is reported.
+    type Output: Output;
+    /// Whether back faces are hit.
+    type Facing: Facing;
+    /// How signs are tested.
+    type Tests: Tests;
+    /// Which test comes first, where the algebra allows both.
+    type Leading: Leading;
+    /// Which t count.
+    type Span: Span;
+
+    /// a . b
+    #[inline(always)]
+    fn dot<R: Real>(a: Vec3<R>, b: Vec3<R>) -> R {
+        Self::multiply_add(a.z(), b.z(), Self::multiply_add(a.y(), b.y(), a.x() * b.x()))
+    }
+    /// a x b
+    #[inline(always)]
+    fn cross<R: Real>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
+        Vec3([
+            Self::difference(a.y(), b.z(), a.z(), b.y()),
+            Self::difference(a.z(), b.x(), a.x(), b.z()),
+            Self::difference(a.x(), b.y(), a.y(), b.x()),
+        ])
+    }
+    /// a b + c
+    #[inline(always)]
+    fn multiply_add<R: Real>(a: R, b: R, c: R) -> R {
+        Self::Rounding::multiply_add(a, b, c)
+    }
+    /// a b - c d
+    #[inline(always)]
+    fn difference<R: Real>(a: R, b: R, c: R, d: R) -> R {
+        Self::Rounding::multiply_subtract(a, b, c * d)
+    }
+
+    /// Goes on where any lane is still wanted; `code` names this exit.
+    #[inline(always)]
+    fn keep<M: Mask>(mask: M, code: u8) -> Result<M, Miss> {
+        Self::Exit::keep(mask, code)
+    }
+    /// [`Policy::keep`] where t is within the ray's range. In `full` the range is left to
+    /// [`Policy::finish`]: the bound shrinks from test to test, and a chain of dependences through
+    /// it would limit the loop.
+    #[inline(always)]
+    fn keep_range<R: Real>(
+        mask: R::Mask,
+        ray: &Ray<R>,
+        t: R,
+        scale: Scale<R>,
+        code: u8,
+    ) -> Result<R::Mask, Miss> {
+        if Self::Exit::DEFERS_RANGE { Ok(mask) } else { Self::keep(mask & Self::within(ray, t, scale), code) }
+    }
+    /// Where t / one is within the ray's closed range.
+    #[inline(always)]
+    fn within<R: Real>(ray: &Ray<R>, t: R, scale: Scale<R>) -> R::Mask {
+        let lower = if Self::Span::FROM_ZERO { t.zero() } else { Self::scaled(ray.t_min, scale) };
+        Self::Tests::range::<Self::Span, R>(t, lower, Self::scaled(ray.t_max, scale))
+    }
+    /// Where a numerator is between 0 and `one`.
+    #[inline(always)]
+    fn share<R: Real>(u: R, scale: Scale<R>) -> R::Mask {
+        Self::Tests::share(u, scale.one)
+    }
+    /// Where `v` and what u and v leave of `one` are not negative, behind [`Policy::share`] of u.
+    #[inline(always)]
+    fn beside<R: Real>(u: R, v: R, scale: Scale<R>) -> R::Mask {
+        Self::Tests::beside(u, v, scale.one)
+    }
+    /// Where both numerators and what they leave of `one` are not negative.
+    #[inline(always)]
+    fn inside<R: Real>(u: R, v: R, scale: Scale<R>) -> R::Mask {
+        Self::Tests::inside(u, v, scale.one)
+    }
+
+    /// Numerators are flipped by the sign of `det`, so that `one` is positive. Not needed where it
+    /// is known to be (culling) nor where signs are compared as bits.
+    const FLIPS: bool = !Self::Facing::CULLS && !Self::Tests::SIGN_BITS;
+
+    /// Where `det` can be divided by; with culling, where it is positive (a front face).
+    #[inline(always)]
+    fn divisible<R: Real>(det: R) -> R::Mask {
+        Self::Division::divisible::<Self, R>(det)
+    }
+    /// The scale of several numerators over `det`.
+    #[inline(always)]
+    fn divide<R: Real>(det: R) -> Scale<R> {
+        Self::Division::divide::<Self, R>(det)
+    }
+    /// A numerator over `det`, brought to `scale`.
+    #[inline(always)]
+    fn signed<R: Real>(numerator: R, scale: Scale<R>) -> R {
+        Self::Division::signed::<Self, R>(numerator, scale)
+    }
+    /// `numerator / det` and the scale that it is in. For kernels that need one quotient only:
+    /// `first` divides once and multiplies nothing.
+    #[inline(always)]
+    fn quotient<R: Real>(numerator: R, det: R) -> (R, Scale<R>) {
+        Self::Division::quotient::<Self, R>(numerator, det)
+    }
+    /// A value that needs no division, brought to `scale` so that it compares with numerators.
+    #[inline(always)]
+    fn scaled<R: Real>(value: R, scale: Scale<R>) -> R {
+        Self::Division::scaled(value, scale)
+    }
+    /// A component of origin + t direction, in `scale`.
+    #[inline(always)]
+    fn along<R: Real>(origin: R, direction: R, t: R, scale: Scale<R>) -> R {
+        Self::multiply_add(t, direction, Self::scaled(origin, scale))
+    }
+    /// The scale of fractions whose denominators are those of both.
+    #[inline(always)]
+    fn joined<R: Real>(a: Scale<R>, b: Scale<R>) -> Scale<R> {
+        Scale { factor: b.factor, one: Self::scaled(b.one, a) }
+    }
+
+    /// The answer where t, u and v share their denominator: late division, deferred range test.
+    #[inline(always)]
+    fn finish<R: Real>(
+        hit: R::Mask,
+        ray: &Ray<R>,
+        [t, u, v]: [R; 3],
+        scale: Scale<R>,
+    ) -> Result<Found<R>, Miss> {
+        let hit = if Self::Exit::DEFERS_RANGE { hit & Self::within(ray, t, scale) } else { hit };
+        let inverse = Self::Division::inverse(scale);
+        let resolve = Self::Division::resolve;
+        Ok(Found { hit, t: resolve(t, inverse), u: resolve(u, inverse), v: resolve(v, inverse) })
+    }
+    /// The answer where u and v have a denominator of their own.
+    #[inline(always)]
+    fn finish_apart<R: Real>(
+        hit: R::Mask,
+        ray: &Ray<R>,
+        (t, t_scale): (R, Scale<R>),
+        ([u, v], uv_scale): ([R; 2], Scale<R>),
+    ) -> Result<Found<R>, Miss> {
+        let hit = if Self::Exit::DEFERS_RANGE { hit & Self::within(ray, t, t_scale) } else { hit };
+        let (t_inverse, inverse) = (Self::Division::inverse(t_scale), Self::Division::inverse(uv_scale));
+        let resolve = Self::Division::resolve;
+        Ok(Found { hit, t: resolve(t, t_inverse), u: resolve(u, inverse), v: resolve(v, inverse) })
+    }
+}
+
+/// The form with these values of the axes.
+#[derive(Clone, Copy)]
+#[allow(clippy::type_complexity, reason = "one marker per axis, in the order of a variant's id")]
+pub struct Form<E, D, A, O, F = TwoSided, T = Compare, L = Distance, S = FromZero>(
+    PhantomData<(E, D, A, O, F, T, L, S)>,
+);
+
+impl<E, D, A, O, F, T, L, S> Policy for Form<E, D, A, O, F, T, L, S>
+where
+    E: Exit,
+    D: Division,
+    A: Rounding,
+    O: Output,
+    F: Facing,
+    T: Tests,
+    L: Leading,
+    S: Span,
+{
+    type Exit = E;
+    type Division = D;
+    type Rounding = A;
+    type Output = O;
+    type Facing = F;
+    type Tests = T;
+    type Leading = L;
+    type Span = S;
+}
+
+/// `P` with both faces: for kernels whose determinant does not carry the face in its sign.
+#[derive(Clone, Copy)]
+pub struct BothFaces<P>(PhantomData<P>);
+
+impl<P: Policy> Policy for BothFaces<P> {
+    type Exit = P::Exit;
+    type Division = P::Division;
+    type Rounding = P::Rounding;
+    type Output = P::Output;
+    type Facing = TwoSided;
+    type Tests = P::Tests;
+    type Leading = P::Leading;
+    type Span = P::Span;
+}

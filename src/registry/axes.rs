@@ -1,0 +1,96 @@
+//! The axes of a variant, their columns, and the id made of them.
+
+use std::fmt::Write;
+
+/// The place of a variant on every axis, in the words of the contract.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Axes {
+    /// The kernel's id.
+    pub kernel: &'static str,
+    /// `f32` or `f64`.
+    pub precision: &'static str,
+    /// `single`, or `packetN`.
+    pub drive: String,
+    /// The instruction-set level.
+    pub level: &'static str,
+    /// `early` or `full`.
+    pub exit: &'static str,
+    /// `first` or `last`.
+    pub division: &'static str,
+    /// `plain` or `fused`.
+    pub rounding: &'static str,
+    /// `hit`, `t`, `tuv` or `surface`.
+    pub output: &'static str,
+    /// `off` or `on`.
+    pub cull: &'static str,
+    /// `aos`.
+    pub layout: &'static str,
+    /// `distance` or `inside`: the test that comes first.
+    pub leading: &'static str,
+    /// Whether `leading` is the kernel's own.
+    pub leading_is_native: bool,
+    /// Listings only: the kind of operation that is done twice, or the control of that.
+    pub priced: &'static str,
+    /// `ray`, or `point` for the point of a plane.
+    pub query: &'static str,
+    /// What is stored of a triangle.
+    pub stored: &'static str,
+    /// Whether `stored` is the kernel's first or only form.
+    pub stored_is_native: bool,
+    /// `compare`, `sign-bits` or `products`.
+    pub tests: &'static str,
+    /// 0, or the number of a placebo.
+    pub copy: usize,
+}
+
+/// The columns of `list variants` behind `id` and `available`.
+pub const COLUMNS: [&str; 15] = [
+    "kernel", "precision", "drive", "level", "exit", "division", "rounding", "output", "cull",
+    "layout", "leading", "priced", "query", "stored", "tests",
+];
+
+impl Axes {
+    /// The values of [`COLUMNS`].
+    pub fn values(&self) -> [&str; 15] {
+        [
+            self.kernel,
+            self.precision,
+            &self.drive,
+            self.level,
+            self.exit,
+            self.division,
+            self.rounding,
+            self.output,
+            self.cull,
+            self.layout,
+            self.leading,
+            self.priced,
+            self.query,
+            self.stored,
+            self.tests,
+        ]
+    }
+
+    /// kernel / precision / drive / level / exit / division / rounding / output, then every other
+    /// axis that is off its default as `name=value`, in alphabetical order.
+    pub fn id(&self) -> String {
+        let mut id = self.values()[..8].join("/");
+        let others = [
+            ("copy", self.copy.to_string(), self.copy == 0),
+            ("cull", self.cull.into(), self.cull == "off"),
+            ("layout", self.layout.into(), self.layout == "aos"),
+            ("leading", self.leading.into(), self.leading_is_native),
+            ("priced", self.priced.into(), self.priced.is_empty()),
+            ("query", self.query.into(), self.query == "ray"),
+            ("stored", self.stored.into(), self.stored_is_native),
+            ("tests", self.tests.into(), self.tests == "compare"),
+        ];
+        for (name, value, is_default) in others {
+            if !is_default {
+                // Writing to a String cannot fail.
+                let _ = write!(id, "/{name}={value}");
+            }
+        }
+        id
+    }
+}

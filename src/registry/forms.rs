@@ -1,0 +1,360 @@
+//! The product of the axes, readable from top to bottom: one small generic function per axis.
+
+use crate::batch::{Nearest, NearestLoop, Pairs, PairsLoop};
+use crate::kernels::{
+    AngleSum, BadouelCramer, Chirkov, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
+    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Stored, Vertices, Wald,
+    WithNormal,
+};
+use crate::level::{self, Level, On, enter};
+use crate::number::{Element, Real};
+use crate::policy::{
+    Between, Compare, Cull, Distance, Division, Early, Exit, Facing, First, Form, FromZero, Full,
+    Fused, Hit, Inside, Last, Leading, Output, Plain, Policy, Products, Ray, Rounding, SignBits,
+    Surface, T, Tests, Tuv, TwoSided,
+};
+
+use super::{Axes, Variant, bind_nearest, bind_pairs};
+
+/// What a kernel offers of each axis.
+pub trait Offers: Kernel {
+    /// It can divide first.
+    const FIRST: bool = true;
+    /// It can divide last.
+    const LAST: bool = true;
+    /// The test that comes first in its published form.
+    type Native: Other;
+    /// Its tests can come in the other order.
+    const BOTH_ORDERS: bool = false;
+    /// Thesis H's sign-bit form.
+    const SIGN_BITS: bool = false;
+    /// Comparisons of products beside those of signs.
+    const PRODUCTS: bool = false;
+    /// It can cull.
+    const CULLS: bool = false;
+    /// It runs in packets.
+    const PACKETS: bool = true;
+    /// It yields u and v.
+    const UV: bool = true;
+    /// Its record is the first, or only, that the kernel has.
+    const NATIVE_RECORD: bool = true;
+}
+
+impl Offers for MollerTrumbore {
+    type Native = Inside;
+    const BOTH_ORDERS: bool = true;
+    const SIGN_BITS: bool = true;
+    const CULLS: bool = true;
+}
+impl<S: Stored + IsVertices> Offers for KenslerShirley<S> {
+    type Native = Distance;
+    const BOTH_ORDERS: bool = S::IS_VERTICES;
+    const SIGN_BITS: bool = S::IS_VERTICES;
+    const CULLS: bool = S::IS_VERTICES;
+    const NATIVE_RECORD: bool = S::IS_VERTICES;
+}
+impl Offers for Shevtsov {
+    type Native = Distance;
+    const SIGN_BITS: bool = true;
+    const CULLS: bool = true;
+}
+impl Offers for BadouelCramer {
+    type Native = Distance;
+    const SIGN_BITS: bool = true;
+}
+impl Offers for Wald {
+    type Native = Distance;
+    const SIGN_BITS: bool = true;
+}
+impl<S: Stored + IsVertices> Offers for Keidy<S> {
+    type Native = Distance;
+    const BOTH_ORDERS: bool = S::IS_VERTICES;
+    const SIGN_BITS: bool = S::IS_VERTICES;
+    const NATIVE_RECORD: bool = S::IS_VERTICES;
+}
+impl Offers for PerpendicularPlanes {
+    type Native = Distance;
+    const SIGN_BITS: bool = true;
+}
+impl Offers for Chirkov {
+    type Native = Inside;
+    const FIRST: bool = false;
+    const PRODUCTS: bool = true;
+}
+impl Offers for Plucker {
+    type Native = Inside;
+    const FIRST: bool = false;
+}
+impl Offers for HalfSpaces {
+    type Native = Inside;
+    const FIRST: bool = false;
+}
+impl Offers for SignedAreas {
+    type Native = Distance;
+    const LAST: bool = false;
+}
+impl Offers for AngleSum {
+    type Native = Distance;
+    const LAST: bool = false;
+    const PACKETS: bool = false;
+    const UV: bool = false;
+}
+
+/// Which record of several is the kernel's first.
+pub trait IsVertices {
+    /// Three vertices, nothing prepared.
+    const IS_VERTICES: bool;
+}
+impl IsVertices for Vertices {
+    const IS_VERTICES: bool = true;
+}
+impl IsVertices for WithNormal {
+    const IS_VERTICES: bool = false;
+}
+impl IsVertices for Precomputed {
+    const IS_VERTICES: bool = false;
+}
+
+/// Every kernel in every form.
+pub fn all(v: &mut Vec<Variant>) {
+    kernel::<MollerTrumbore>(v);
+    kernel::<KenslerShirley<Vertices>>(v);
+    kernel::<KenslerShirley<WithNormal>>(v);
+    kernel::<KenslerShirley<Precomputed>>(v);
+    kernel::<Shevtsov>(v);
+    kernel::<BadouelCramer>(v);
+    kernel::<Wald>(v);
+    kernel::<Keidy<Vertices>>(v);
+    kernel::<Keidy<WithNormal>>(v);
+    kernel::<PerpendicularPlanes>(v);
+    kernel::<Chirkov>(v);
+    kernel::<Plucker>(v);
+    kernel::<HalfSpaces>(v);
+    kernel::<SignedAreas>(v);
+    kernel::<AngleSum>(v);
+}
+
+/// The levels and the numbers that each of them has natively.
+#[cfg(target_arch = "x86_64")]
+fn kernel<K: Offers>(v: &mut Vec<Variant>) {
+    use fearless_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
+
+    use crate::level::{Avx2, Avx512, Sse2, Sse42};
+    use crate::number::Lanes;
+
+    type On<L, V> = Lanes<<L as Level>::Token, V>;
+    type S2 = <Sse2 as Level>::Token;
+    type S4 = <Sse42 as Level>::Token;
+    type A2 = <Avx2 as Level>::Token;
+    type A5 = <Avx512 as Level>::Token;
+
+    outputs::<K, f32, Sse2, Plain>(v);
+    exits::<K, f32, Sse42, Plain>(v);
+    exits::<K, f32, Avx2, Plain>(v);
+    exits::<K, f32, Avx2, Fused>(v);
+    exits::<K, f32, Avx512, Plain>(v);
+    exits::<K, f64, Sse2, Plain>(v);
+    exits::<K, f64, Avx2, Plain>(v);
+    if K::PACKETS {
+        exits::<K, On<Sse2, f32x4<S2>>, Sse2, Plain>(v);
+        exits::<K, On<Sse42, f32x4<S4>>, Sse42, Plain>(v);
+        exits::<K, On<Avx2, f32x8<A2>>, Avx2, Plain>(v);
+        exits::<K, On<Avx2, f32x8<A2>>, Avx2, Fused>(v);
+        outputs::<K, On<Avx512, f32x16<A5>>, Avx512, Plain>(v);
+        exits::<K, On<Avx512, f32x16<A5>>, Avx512, Fused>(v);
+        exits::<K, On<Sse2, f64x2<S2>>, Sse2, Plain>(v);
+        exits::<K, On<Avx2, f64x4<A2>>, Avx2, Plain>(v);
+        exits::<K, On<Avx2, f64x4<A2>>, Avx2, Fused>(v);
+        exits::<K, On<Avx512, f64x8<A5>>, Avx512, Plain>(v);
+        exits::<K, On<Avx512, f64x8<A5>>, Avx512, Fused>(v);
+    }
+}
+
+/// The levels and the numbers that each of them has natively.
+#[cfg(target_arch = "aarch64")]
+fn kernel<K: Offers>(v: &mut Vec<Variant>) {
+    use fearless_simd::{f32x4, f64x2};
+
+    use crate::level::Neon;
+    use crate::number::Lanes;
+
+    type N = <Neon as Level>::Token;
+
+    outputs::<K, f32, Neon, Plain>(v);
+    exits::<K, f32, Neon, Fused>(v);
+    exits::<K, f64, Neon, Plain>(v);
+    if K::PACKETS {
+        outputs::<K, Lanes<N, f32x4<N>>, Neon, Plain>(v);
+        exits::<K, Lanes<N, f32x4<N>>, Neon, Fused>(v);
+        exits::<K, Lanes<N, f64x2<N>>, Neon, Plain>(v);
+        exits::<K, Lanes<N, f64x2<N>>, Neon, Fused>(v);
+    }
+}
+
+/// The forms with every output, and the axes that are compared at two places only.
+fn outputs<K: Offers, R: On<L>, L: Level, A: Rounding>(v: &mut Vec<Variant>)
+where
+    R::Element: On<L>,
+{
+    exits::<K, R, L, A>(v);
+    divisions_with::<K, R, L, Early, A, Hit, TwoSided, Compare, K::Native>(v);
+    divisions_with::<K, R, L, Full, A, Hit, TwoSided, Compare, K::Native>(v);
+    if K::UV {
+        divisions_with::<K, R, L, Early, A, T, TwoSided, Compare, K::Native>(v);
+        divisions_with::<K, R, L, Full, A, T, TwoSided, Compare, K::Native>(v);
+        divisions_with::<K, R, L, Early, A, Surface, TwoSided, Compare, K::Native>(v);
+        divisions_with::<K, R, L, Full, A, Surface, TwoSided, Compare, K::Native>(v);
+    }
+    if K::CULLS {
+        divisions_with::<K, R, L, Early, A, Tuv, Cull, Compare, K::Native>(v);
+        divisions_with::<K, R, L, Full, A, Tuv, Cull, Compare, K::Native>(v);
+    }
+    if K::SIGN_BITS {
+        form::<K, R, L, Early, Last, A, Tuv, TwoSided, SignBits, K::Native, 0>(v);
+        form::<K, R, L, Full, Last, A, Tuv, TwoSided, SignBits, K::Native, 0>(v);
+    }
+    if K::PRODUCTS {
+        form::<K, R, L, Early, Last, A, Tuv, TwoSided, Products, K::Native, 0>(v);
+        form::<K, R, L, Full, Last, A, Tuv, TwoSided, Products, K::Native, 0>(v);
+    }
+    if K::BOTH_ORDERS {
+        divisions_with::<K, R, L, Early, A, Tuv, TwoSided, Compare, <K::Native as Other>::Other>(v);
+        divisions_with::<K, R, L, Full, A, Tuv, TwoSided, Compare, <K::Native as Other>::Other>(v);
+    }
+}
+
+/// Early and full.
+fn exits<K: Offers, R: On<L>, L: Level, A: Rounding>(v: &mut Vec<Variant>)
+where
+    R::Element: On<L>,
+{
+    if K::UV {
+        divisions_with::<K, R, L, Early, A, Tuv, TwoSided, Compare, K::Native>(v);
+        divisions_with::<K, R, L, Full, A, Tuv, TwoSided, Compare, K::Native>(v);
+    } else {
+        divisions_with::<K, R, L, Early, A, T, TwoSided, Compare, K::Native>(v);
+        divisions_with::<K, R, L, Full, A, T, TwoSided, Compare, K::Native>(v);
+    }
+}
+
+/// First and last, where the kernel has them.
+fn divisions_with<K, R, L, E, A, O, F, C, Q>(v: &mut Vec<Variant>)
+where
+    K: Offers,
+    R: On<L>,
+    R::Element: On<L>,
+    L: Level,
+    E: Exit,
+    A: Rounding,
+    O: Output,
+    F: Facing,
+    C: Tests,
+    Q: Leading,
+{
+    if K::FIRST {
+        form::<K, R, L, E, First, A, O, F, C, Q, 0>(v);
+    }
+    if K::LAST {
+        form::<K, R, L, E, Last, A, O, F, C, Q, 0>(v);
+    }
+}
+
+/// One variant.
+fn form<K, R, L, E, D, A, O, F, C, Q, const COPY: usize>(v: &mut Vec<Variant>)
+where
+    K: Offers,
+    R: On<L>,
+    R::Element: On<L>,
+    L: Level,
+    E: Exit,
+    D: Division,
+    A: Rounding,
+    O: Output,
+    F: Facing,
+    C: Tests,
+    Q: Leading,
+{
+    let mut pairs: Option<PairsLoop<R::Element, K::Record<R::Element>>> = None;
+    if R::LANES == 1 {
+        pairs = Some(
+            enter::<L, Pairs<K, Form<E, D, A, O, F, C, Q, Between>, R::Element>, COPY>,
+        );
+    }
+    let nearest = enter::<L, Nearest<K, Form<E, D, A, O, F, C, Q, FromZero>, R>, COPY>;
+    let axes = Axes {
+        kernel: K::ABOUT.id,
+        precision: R::Element::NAME,
+        drive: if R::LANES == 1 { "single".into() } else { format!("packet{}", R::LANES) },
+        level: L::NAME,
+        exit: E::NAME,
+        division: D::NAME,
+        rounding: A::NAME,
+        output: O::NAME,
+        cull: F::NAME,
+        layout: "aos",
+        leading: Q::NAME,
+        leading_is_native: Q::NAME == K::Native::NAME,
+        priced: "",
+        query: "ray",
+        stored: K::ABOUT.stored,
+        stored_is_native: K::NATIVE_RECORD,
+        tests: C::NAME,
+        copy: COPY,
+    };
+    push::<K, R::Element>(v, axes, level::available::<L>, R::LANES, pairs, nearest);
+}
+
+/// What is the same for all forms of a kernel over an element type.
+fn push<K: Offers, E: Element>(
+    v: &mut Vec<Variant>,
+    axes: Axes,
+    available: fn() -> bool,
+    lanes: usize,
+    pairs: Option<PairsLoop<E, K::Record<E>>>,
+    nearest: NearestLoop<E, K::Record<E>>,
+) {
+    v.push(Variant {
+        axes,
+        about: &K::ABOUT,
+        bytes_per_triangle: size_of::<K::Record<E>>(),
+        available,
+        pairs: pairs.map(|run| bind_pairs(K::prepare::<E>, run, exit_code::<K, E>)),
+        nearest: Some(bind_nearest(lanes, K::prepare::<E>, nearest)),
+        lanes,
+    });
+}
+
+/// The exit of one test, in the kernel's own order.
+fn exit_code<K: Offers, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
+    fn exit<K: Offers, P: Policy, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
+        K::test::<P, E>(ray, &K::meet::<P, E>((), record)).map_or_else(|miss| miss.0, |_| 0)
+    }
+    if K::LAST {
+        exit::<K, Form<Early, Last, Plain, Tuv, TwoSided, Compare, K::Native, Between>, E>(ray, record)
+    } else {
+        exit::<K, Form<Early, First, Plain, Tuv, TwoSided, Compare, K::Native, Between>, E>(ray, record)
+    }
+}
+
+/// The other order of tests.
+pub trait Other: Leading {
+    /// Distance for inside, inside for distance.
+    type Other: Leading;
+}
+impl Other for Distance {
+    type Other = Inside;
+}
+impl Other for Inside {
+    type Other = Distance;
+}
+
+/// Three copies of the reference kernel.
+pub fn placebos(v: &mut Vec<Variant>) {
+    #[cfg(target_arch = "x86_64")]
+    type Base = crate::level::Sse2;
+    #[cfg(target_arch = "aarch64")]
+    type Base = crate::level::Neon;
+    form::<MollerTrumbore, f32, Base, Early, Last, Plain, Tuv, TwoSided, Compare, Inside, 1>(v);
+    form::<MollerTrumbore, f32, Base, Early, Last, Plain, Tuv, TwoSided, Compare, Inside, 2>(v);
+    form::<MollerTrumbore, f32, Base, Early, Last, Plain, Tuv, TwoSided, Compare, Inside, 3>(v);
+}

@@ -1,0 +1,142 @@
+//! Every variant that is built: its axes, its id, and how to bind it to a workload.
+
+mod axes;
+mod forms;
+mod listings;
+mod points;
+
+pub use axes::{Axes, COLUMNS};
+
+use std::sync::LazyLock;
+
+use crate::batch::{NearestJob, PairsJob, widened};
+use crate::job::Job;
+use crate::kernels::{About, Corners};
+use crate::number::{Element, Vec3};
+use crate::policy::Ray;
+use crate::workload;
+
+/// Makes a job of a variant over rays and triangles.
+pub type Binder = Box<dyn Fn(&[workload::Ray], &[workload::Triangle]) -> Box<dyn Job> + Send + Sync>;
+
+/// One compiled form of one kernel.
+pub struct Variant {
+    /// Its place on every axis.
+    pub axes: Axes,
+    /// The kernel.
+    pub about: &'static About,
+    /// Bytes stored per triangle.
+    pub bytes_per_triangle: usize,
+    /// Whether this processor has the level.
+    pub available: fn() -> bool,
+    /// Ray i against triangle i; packets have none.
+    pub pairs: Option<Binder>,
+    /// Every ray against every triangle; listings and point tests have none. The number of rays
+    /// must be a multiple of [`Variant::lanes`].
+    pub nearest: Option<Binder>,
+    /// Rays per packet; 1 for single rays.
+    pub lanes: usize,
+}
+
+impl Variant {
+    /// The axes joined by slashes; unique.
+    pub fn id(&self) -> String {
+        self.axes.id()
+    }
+}
+
+/// Every variant, in the order of kernels and axes; placebos excluded.
+pub fn variants() -> &'static [Variant] {
+    static VARIANTS: LazyLock<Vec<Variant>> = LazyLock::new(|| {
+        let mut variants = Vec::new();
+        forms::all(&mut variants);
+        points::all(&mut variants);
+        listings::all(&mut variants);
+        variants
+    });
+    &VARIANTS
+}
+
+/// The reference kernel's copies: the same source at other addresses, for the noise floor.
+pub fn placebos() -> &'static [Variant] {
+    static PLACEBOS: LazyLock<Vec<Variant>> = LazyLock::new(|| {
+        let mut variants = Vec::new();
+        forms::placebos(&mut variants);
+        variants
+    });
+    &PLACEBOS
+}
+
+/// The variant with that id.
+pub fn find(id: &str) -> Option<&'static Variant> {
+    variants().iter().find(|variant| variant.id() == id)
+}
+
+/// The id of the variant that others are compared with unless an experiment names another.
+pub const REFERENCE: &str = "moller-trumbore/f32/single/sse2/early/last/plain/tuv";
+
+/// Every kernel once, in the order of the registry; the first stored form stands for the others.
+pub fn kernels() -> Vec<&'static Variant> {
+    let mut seen: Vec<&'static Variant> = Vec::new();
+    for variant in variants() {
+        if seen.iter().all(|other| other.about.id != variant.about.id) {
+            seen.push(variant);
+        }
+    }
+    seen
+}
+
+/// The corners of a workload's triangle in the precision `E`.
+pub fn corners<E: Element>(triangle: &workload::Triangle) -> Corners<E> {
+    let vector = |v: glam::Vec3| Vec3(v.to_array().map(E::from_f32));
+    Corners { a: vector(triangle.a), b: vector(triangle.b), c: vector(triangle.c) }
+}
+
+/// A binder over pairs.
+fn bind_pairs<E: Element, T: Copy + 'static>(
+    prepare: fn(&Corners<E>) -> T,
+    run: crate::batch::PairsLoop<E, T>,
+    code: fn(&Ray<E>, &T) -> u8,
+) -> Binder {
+    Box::new(move |rays, triangles| {
+        let pairs = rays.iter().zip(triangles);
+        let pairs = pairs.map(|(ray, triangle)| (widened(ray), prepare(&corners(triangle))));
+        Box::new(PairsJob::new(pairs.collect(), run, code))
+    })
+}
+
+/// A binder over packets of `lanes` rays and all triangles.
+fn bind_nearest<E: Element, T: Copy + 'static>(
+    lanes: usize,
+    prepare: fn(&Corners<E>) -> T,
+    run: crate::batch::NearestLoop<E, T>,
+) -> Binder {
+    Box::new(move |rays, triangles| {
+        let rays: Vec<Ray<E>> = rays.iter().map(widened).collect();
+        let records = triangles.iter().map(|triangle| prepare(&corners(triangle))).collect();
+        Box::new(NearestJob::new(lanes, &rays, records, run))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    /// Growth is a decision: 1 400 after issue A, 2 000 after C, 2 400 after D.
+    const BUDGET: usize = 1_400;
+
+    #[test]
+    fn the_number_of_variants_is_within_its_budget() {
+        let count = variants().len();
+        assert!(count <= BUDGET, "{count} variants, budget {BUDGET}");
+    }
+
+    #[test]
+    fn no_two_variants_share_an_id() {
+        let ids: BTreeSet<String> = variants().iter().map(Variant::id).collect();
+        assert_eq!(ids.len(), variants().len());
+        assert!(ids.contains(REFERENCE));
+    }
+}
