@@ -1,4 +1,6 @@
 //! ray_test
 #![forbid(unsafe_code)]
 pub mod job;
+pub mod measure;
+pub mod stats;
 pub mod workload;
