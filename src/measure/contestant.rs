@@ -74,7 +74,8 @@ pub(super) fn validate(contestants: &[Contestant]) -> Result<(), ProtocolError> 
             return Err(ProtocolError::SameId(contestant.id.clone()));
         }
     }
-    let singles = [(Role::Reference, "reference"), (Role::Empty, "empty loop"), (Role::Chain, "chain")];
+    let singles =
+        [(Role::Reference, "reference"), (Role::Empty, "empty loop"), (Role::Chain, "chain")];
     for (role, name) in singles {
         if contestants.iter().filter(|c| c.role == role).count() > 1 {
             return Err(ProtocolError::SameRole(name));

@@ -51,7 +51,7 @@ impl Expectation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measure::scripted::{ScriptedJob, Script};
+    use crate::measure::scripted::{Script, ScriptedJob};
 
     #[test]
     fn agrees_with_the_job_itself() {

@@ -113,11 +113,8 @@ pub(super) fn figures(runners: &[Runner<'_>], rounds: usize, dirty_rounds: usize
         let runner = runners.iter().find(|r| r.contestant.role == role);
         runner.map_or_else(Vec::new, |r| r.samples.clone())
     };
-    let controls = Controls {
-        reference: of(Role::Reference),
-        chain: of(Role::Chain),
-        empty: of(Role::Empty),
-    };
+    let controls =
+        Controls { reference: of(Role::Reference), chain: of(Role::Chain), empty: of(Role::Empty) };
     let one = |r| Figures { rounds, dirty_rounds, ..contestant_figures(r, &controls) };
     runners.iter().map(one).collect()
 }
@@ -134,9 +131,8 @@ fn contestant_figures(runner: &Runner<'_>, controls: &Controls) -> Figures {
     // Steps of the chain are no tests: in terms of the reference they say nothing.
     let reference = if role == Role::Chain { &[][..] } else { &controls.reference[..] };
     let half = samples.len() / 2;
-    let part = |from: usize, to: usize| {
-        paired_ratio(samples.get(from..to)?, reference.get(from..to)?)
-    };
+    let part =
+        |from: usize, to: usize| paired_ratio(samples.get(from..to)?, reference.get(from..to)?);
     Figures {
         id: runner.contestant.id.clone(),
         role,

@@ -1,11 +1,11 @@
 //! Rounds: every contestant once in each, in positions that favour nobody.
 
 use super::clock::Clock;
-use super::contestant::{self, Contestant};
+use super::contestant::{self, Contestant, Role};
 use super::disturbance::Disturbance;
 use super::figures::{GroupReport, figures, placebo_floor};
 use super::latin::LatinOrder;
-use super::plan::{plan, shared_windows};
+use super::plan::{align, plan, shared_windows};
 use super::protocol::{Protocol, ProtocolError};
 use super::runner::Runner;
 use rand::SeedableRng;
@@ -87,6 +87,18 @@ fn prepare(
             return;
         }
         runner.plan = plan(runner.contestant, protocol, windows, clock, rng);
+    }
+    align_with_reference(runners);
+}
+
+fn align_with_reference(runners: &mut [Runner<'_>]) {
+    let is_reference = |r: &&Runner<'_>| r.contestant.role == Role::Reference;
+    let Some(reference) = runners.iter().find(is_reference).map(|r| r.plan) else {
+        return;
+    };
+    for runner in runners.iter_mut().filter(|r| !r.contestant.role.is_orderless()) {
+        let items = runner.contestant.job.items();
+        align(&mut runner.plan, items, reference);
     }
 }
 

@@ -6,6 +6,7 @@
 //! All contestants run once a round, in positions drawn by a Latin square, in blocks too short
 //! for a pre-emption to fall into many of them. Comparisons are between blocks of one round.
 
+mod build_info;
 mod calibrate;
 mod chain;
 mod clock;
@@ -13,12 +14,14 @@ mod contestant;
 mod date;
 mod disturbance;
 mod empty;
+mod environment;
 mod expectation;
 mod figures;
 mod group;
 #[cfg(test)]
 mod group_tests;
 mod latin;
+mod machine;
 mod plan;
 mod protocol;
 mod runner;
@@ -26,13 +29,16 @@ mod runner;
 mod scripted;
 mod shuffle;
 
+pub use build_info::BuildInfo;
 pub use chain::{CYCLES_PER_STEP, Chain};
 pub use clock::{Clock, ScriptedClock, TimerFigures, WallClock, timer_figures};
 pub use contestant::{Contestant, Expected, Role};
 pub use date::{now_rfc3339, rfc3339};
 pub use disturbance::{Disturbance, InvoluntarySwitches, Undisturbed};
 pub use empty::EmptyLoop;
+pub use environment::Environment;
 pub use figures::{Figures, GroupReport, Invalid, Status};
 pub use group::{Progress, Surroundings, measure_group};
 pub use latin::LatinOrder;
+pub use machine::{Cache, Machine};
 pub use protocol::{Order, Protocol, ProtocolError};

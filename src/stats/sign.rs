@@ -98,7 +98,8 @@ mod tests {
 
     #[test]
     fn ranks_of_the_printed_tables() {
-        let tables = [(6, 1), (8, 1), (9, 2), (10, 2), (15, 4), (20, 6), (25, 8), (50, 18), (64, 24)];
+        let tables =
+            [(6, 1), (8, 1), (9, 2), (10, 2), (15, 4), (20, 6), (25, 8), (50, 18), (64, 24)];
         for (n, rank) in tables {
             let found = sign_interval(&ascending(n));
             let wanted = Interval { low: rank as f64, high: (n + 1 - rank) as f64 };
