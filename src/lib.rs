@@ -7,4 +7,6 @@ pub mod level;
 pub mod number;
 pub mod policy;
 pub mod registry;
+pub mod measure;
+pub mod stats;
 pub mod workload;

@@ -1,0 +1,85 @@
+//! Who takes part in a round, and as what.
+
+use super::protocol::ProtocolError;
+use crate::job::Job;
+
+/// What a contestant is there for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// To be measured.
+    Subject,
+    /// What the others are compared with; at most one.
+    Reference,
+    /// The reference's code at another address: what it differs by is noise. Any number.
+    Placebo,
+    /// The loop without a test in it ([`super::EmptyLoop`]); at most one.
+    Empty,
+    /// The chain of known cycles ([`super::Chain`]); at most one.
+    Chain,
+}
+
+impl Role {
+    /// Whether the order of its items means nothing to it, so that it is replayed in every order.
+    pub(super) fn is_orderless(self) -> bool {
+        matches!(self, Role::Empty | Role::Chain)
+    }
+}
+
+/// What the items of a job must find, beyond agreeing with themselves in every timed block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Expected {
+    /// Whatever they find one by one before anything is timed.
+    Items,
+    /// That, and this number of hits over all items: the number in the answers that were checked.
+    Hits(u64),
+}
+
+/// One participant. Its answers were found right before it comes here.
+pub struct Contestant {
+    /// Its id, unique within the group.
+    pub id: String,
+    /// What it is there for.
+    pub role: Role,
+    /// What is run, in its original order.
+    pub job: Box<dyn Job>,
+    /// What it must find.
+    pub expected: Expected,
+}
+
+impl Contestant {
+    /// A contestant that must find what its items find one by one.
+    pub fn new(id: impl Into<String>, role: Role, job: Box<dyn Job>) -> Self {
+        Contestant { id: id.into(), role, job, expected: Expected::Items }
+    }
+
+    /// The same, and `hits` hits over all of its items.
+    pub fn with_hits(self, hits: u64) -> Self {
+        Contestant { expected: Expected::Hits(hits), ..self }
+    }
+}
+
+/// Refuses groups that cannot be measured.
+pub(super) fn validate(contestants: &[Contestant]) -> Result<(), ProtocolError> {
+    if contestants.is_empty() {
+        return Err(ProtocolError::Nobody);
+    }
+    let mut ids = std::collections::BTreeSet::new();
+    for contestant in contestants {
+        let (items, tests_per_item) = (contestant.job.items(), contestant.job.tests_per_item());
+        if items == 0 || tests_per_item == 0 || u32::try_from(items).is_err() {
+            let id = contestant.id.clone();
+            return Err(ProtocolError::Items { id, items, tests_per_item });
+        }
+        if !ids.insert(&contestant.id) {
+            return Err(ProtocolError::SameId(contestant.id.clone()));
+        }
+    }
+    let singles =
+        [(Role::Reference, "reference"), (Role::Empty, "empty loop"), (Role::Chain, "chain")];
+    for (role, name) in singles {
+        if contestants.iter().filter(|c| c.role == role).count() > 1 {
+            return Err(ProtocolError::SameRole(name));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,111 @@
+//! What the branch predictor is shown, in each order.
+
+use super::*;
+
+#[test]
+fn reshuffled_shows_no_order_twice_and_none_before_its_time() {
+    let script = Script::default();
+    let (contestant, calls) = subject("one", Role::Subject, ScriptedJob::new(&script, 4000, 20));
+    let (other, _) = subject("other", Role::Reference, ScriptedJob::new(&script, 4000, 10));
+    measure(&mut [contestant, other], &protocol(Order::Reshuffled), &script);
+    let calls = calls.borrow();
+    let first = calls.iter().position(|c| matches!(c, Call::Permute(_))).expect("is permuted");
+    // Before: every item once by itself in the original order. At the end: that order again.
+    assert_eq!(first, 4000);
+    let (rounds, end) = (&calls[first..calls.len() - 1], &calls[calls.len() - 1]);
+    assert_eq!(*end, Call::Permute((0..4000).collect()));
+    let mut orders = std::collections::BTreeSet::new();
+    assert_eq!(rounds.len(), 2 * (3 + 20));
+    for pair in rounds.chunks(2) {
+        let [Call::Permute(order), Call::Run { block, timed: true }] = pair else {
+            panic!("not one timed run per order: {pair:?}");
+        };
+        assert_eq!((block.first, block.items, block.repeats), (0, 4000, 1));
+        assert!(orders.insert(order.clone()));
+    }
+}
+
+#[test]
+fn reshuffled_takes_a_prefix_of_what_is_too_long() {
+    let script = Script::default();
+    let (contestant, calls) = subject("one", Role::Subject, ScriptedJob::new(&script, 25_000, 12));
+    let report = measure(&mut [contestant], &protocol(Order::Reshuffled), &script);
+    assert_eq!(report.figures[0].samples, [12.0; 20]);
+    let blocks = timed_blocks(&calls);
+    assert!(blocks[3..].iter().all(|b| (b.first, b.items, b.repeats) == (0, 5000, 1)));
+}
+
+#[test]
+fn literal_repeats_in_a_row_and_visits_every_item() {
+    let script = Script::default();
+    let (contestant, calls) = subject("one", Role::Subject, ScriptedJob::new(&script, 1000, 4));
+    let (slow, slow_calls) = subject("slow", Role::Subject, ScriptedJob::new(&script, 1000, 16));
+    let report = measure(&mut [contestant, slow], &protocol(Order::Literal), &script);
+    let rounds = |calls: &Calls| {
+        let blocks = timed_blocks(calls);
+        blocks[blocks.len() - 20..].to_vec()
+    };
+    let windows = report.figures[0].windows;
+    assert_eq!(report.figures[1].windows, windows);
+    let mut visits = vec![0; 1000];
+    for (fast, slow) in rounds(&calls).into_iter().zip(rounds(&slow_calls)) {
+        assert!(fast.literal && slow.literal);
+        assert!(fast.repeats >= 64 && slow.repeats >= 64);
+        assert_eq!((fast.first, fast.items), (slow.first, slow.items));
+        visits[fast.first..fast.first + fast.items].iter_mut().for_each(|v| *v += 1);
+    }
+    assert!(visits.iter().all(|&v| v >= 1));
+    assert!(calls.borrow().iter().skip(1000).all(|c| matches!(c, Call::Run { timed: true, .. })));
+}
+
+#[test]
+fn fixed_warms_up_on_the_block_and_freezes_the_repeats() {
+    let script = Script::default();
+    let (contestant, calls) = subject("one", Role::Subject, ScriptedJob::new(&script, 1000, 4));
+    let slowness = Rc::clone(&script.slowness);
+    let mut progress = |p: Progress| slowness.set(1 + p.done_blocks as u64);
+    let never = AtomicBool::new(false);
+    let fixed = protocol(Order::Fixed);
+    measure_with(&mut [contestant], &fixed, &script, &mut Undisturbed, &mut progress, &never);
+    let calls = calls.borrow();
+    let whole = Block { first: 0, items: 1000, repeats: 1, literal: false };
+    for pair in calls[calls.len() - 40..].chunks(2) {
+        assert_eq!(pair[0], Call::Run { block: whole, timed: false });
+        assert_eq!(pair[1], Call::Run { block: Block { repeats: 15, ..whole }, timed: true });
+    }
+}
+
+#[test]
+fn long_sets_are_cut_into_windows_that_packets_share() {
+    let script = Script::default();
+    let rays = ScriptedJob::new(&script, 240, 2560).with_tests_per_item(256);
+    let packets = ScriptedJob::new(&script, 30, 5120).with_tests_per_item(2048);
+    let (rays, ray_calls) = subject("rays", Role::Reference, rays);
+    let (packets, packet_calls) = subject("packets", Role::Subject, packets);
+    let report = measure(&mut [rays, packets], &protocol(Order::Fixed), &script);
+    // 240 x 2.56 us = 614 us: 11 windows of 60 us.
+    assert_eq!((report.figures[0].windows, report.figures[1].windows), (11, 11));
+    assert_eq!(report.figures[1].samples, [2.5; 20]);
+    assert!(is_near(report.figures[1].ratio_to_reference, 0.25));
+    let last = |calls: &Calls| timed_blocks(calls).split_off(timed_blocks(calls).len() - 20);
+    for (rays, packets) in last(&ray_calls).iter().zip(last(&packet_calls)) {
+        assert_eq!(rays.first / 8, packets.first);
+        assert_eq!((rays.first + rays.items) / 8, packets.first + packets.items);
+    }
+}
+
+#[test]
+fn about_equal_contestants_share_the_count_of_the_reference() {
+    let script = Script::default();
+    let new = |id: &str, role, cost| subject(id, role, ScriptedJob::new(&script, 1000, cost)).0;
+    let mut group = [
+        new("near", Role::Subject, 5),
+        new("far", Role::Subject, 20),
+        new("reference", Role::Reference, 4),
+        new("chain", Role::Chain, 5),
+    ];
+    let report = measure(&mut group, &protocol(Order::Fixed), &script);
+    let repeats: Vec<usize> = report.figures.iter().map(|f| f.repeats).collect();
+    assert_eq!(repeats, [15, 3, 15, 12]);
+    assert!(is_near(report.figures[0].ratio_to_reference, 1.25));
+}

@@ -1,0 +1,44 @@
+//! Blocks, rounds, clock: what a group of contestants takes, side by side, on a shared machine.
+//!
+//! ```text
+//! Contestants --validate, expectation--> Runners --plan--> rounds of timed blocks --> GroupReport
+//! ```
+//! All contestants run once a round, in positions drawn by a Latin square, in blocks too short
+//! for a pre-emption to fall into many of them. Comparisons are between blocks of one round.
+
+mod build_info;
+mod calibrate;
+mod chain;
+mod clock;
+mod contestant;
+mod date;
+mod disturbance;
+mod empty;
+mod environment;
+mod expectation;
+mod figures;
+mod group;
+#[cfg(test)]
+mod group_tests;
+mod latin;
+mod machine;
+mod plan;
+mod protocol;
+mod runner;
+#[cfg(test)]
+mod scripted;
+mod shuffle;
+
+pub use build_info::BuildInfo;
+pub use chain::{CYCLES_PER_STEP, Chain};
+pub use clock::{Clock, ScriptedClock, TimerFigures, WallClock, timer_figures};
+pub use contestant::{Contestant, Expected, Role};
+pub use date::{now_rfc3339, rfc3339};
+pub use disturbance::{Disturbance, InvoluntarySwitches, Undisturbed};
+pub use empty::EmptyLoop;
+pub use environment::Environment;
+pub use figures::{Figures, GroupReport, Invalid, Status};
+pub use group::{Progress, Surroundings, measure_group};
+pub use latin::LatinOrder;
+pub use machine::{Cache, Machine};
+pub use protocol::{Order, Protocol, ProtocolError};

@@ -1,0 +1,147 @@
+//! How a group is measured: block length, rounds, order.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// In which order the items of a block are done, and so what the branch predictor knows of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Order {
+    /// Each item many times in a row (thesis B's loop): prediction costs next to nothing.
+    Literal,
+    /// The set replayed from start to end: the predictor has memorised the outcomes.
+    Fixed,
+    /// A new permutation before every timed block: outcomes cannot be foreseen.
+    Reshuffled,
+}
+
+impl Order {
+    /// The word in the `order` column.
+    pub fn word(self) -> &'static str {
+        match self {
+            Order::Literal => "literal",
+            Order::Fixed => "fixed",
+            Order::Reshuffled => "reshuffled",
+        }
+    }
+}
+
+impl fmt::Display for Order {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
+    }
+}
+
+/// How a group of contestants is measured.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Protocol {
+    /// Length of a timed block, ns. Long against the timer's 20-30 ns, short against the time
+    /// between two pre-emptions: 16-136 us measured well, 0.5 ms and more badly.
+    pub block_ns: u64,
+    /// Least number of rounds, at least [`Protocol::LEAST_ROUNDS`].
+    pub rounds: usize,
+    /// `true`: exactly `rounds`, even if not everybody stands equally often in each position.
+    /// `false`: rounded up to a multiple of the number of contestants.
+    pub exact_rounds: bool,
+    /// Order of the items.
+    pub order: Order,
+    /// Seed of the positions and permutations.
+    pub seed: u64,
+}
+
+/// Why a group cannot be measured.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ProtocolError {
+    /// Fewer rounds than an interval needs.
+    #[error("rounds: {0} are too few, {least} or more are needed", least = Protocol::LEAST_ROUNDS)]
+    FewRounds(usize),
+    /// A block outside of what was found to measure well, generously.
+    #[error("block_ns: {0} is not within 1000 to 100000000")]
+    BlockLength(u64),
+    /// An empty group.
+    #[error("there is no contestant to measure")]
+    Nobody,
+    /// Two contestants of one id.
+    #[error("two contestants have the id {0}")]
+    SameId(String),
+    /// Two contestants of a role that there is one of.
+    #[error("more than one contestant is the {0}")]
+    SameRole(&'static str),
+    /// A job without items or tests, or with more items than a permutation of u32 can name.
+    #[error("{id}: {items} items of {tests_per_item} tests cannot be measured")]
+    Items {
+        /// The contestant.
+        id: String,
+        /// Its number of items.
+        items: usize,
+        /// Its tests per item.
+        tests_per_item: u64,
+    },
+}
+
+impl Protocol {
+    /// With fewer rounds the interval is that of the extremes, or none (below 6).
+    pub const LEAST_ROUNDS: usize = 8;
+
+    /// Blocks of 60 us, 64 rounds.
+    pub fn new(order: Order, seed: u64) -> Self {
+        Protocol { block_ns: 60_000, rounds: 64, exact_rounds: false, order, seed }
+    }
+
+    /// Refuses what cannot be measured.
+    pub fn validate(&self) -> Result<(), ProtocolError> {
+        if self.rounds < Self::LEAST_ROUNDS {
+            return Err(ProtocolError::FewRounds(self.rounds));
+        }
+        if !(1_000..=100_000_000).contains(&self.block_ns) {
+            return Err(ProtocolError::BlockLength(self.block_ns));
+        }
+        Ok(())
+    }
+
+    /// Rounds of a group of `contestants`.
+    pub fn planned_rounds(&self, contestants: usize) -> usize {
+        if self.exact_rounds || contestants == 0 {
+            return self.rounds;
+        }
+        self.rounds.div_ceil(contestants).saturating_mul(contestants)
+    }
+
+    /// Time inside the timed blocks of a group of `contestants`, ns: rounds x contestants x block.
+    /// Calibration, permutations, warm-up passes and repeated rounds come on top of it.
+    pub fn planned_ns(&self, contestants: usize) -> u64 {
+        let blocks = (self.planned_rounds(contestants) as u64).saturating_mul(contestants as u64);
+        blocks.saturating_mul(self.block_ns)
+    }
+
+    /// How many rounds may be run again because something disturbed them: a quarter.
+    pub fn spare_rounds(&self, contestants: usize) -> usize {
+        self.planned_rounds(contestants).div_ceil(4)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounds_become_a_multiple_of_the_contestants() {
+        let mut protocol = Protocol::new(Order::Fixed, 1);
+        assert_eq!(protocol.planned_rounds(16), 64);
+        assert_eq!(protocol.planned_rounds(9), 72);
+        assert_eq!(protocol.planned_ns(9), 72 * 9 * 60_000);
+        assert_eq!(protocol.spare_rounds(9), 18);
+        protocol.exact_rounds = true;
+        assert_eq!(protocol.planned_rounds(9), 64);
+    }
+
+    #[test]
+    fn refuses_what_is_out_of_range() {
+        let good = Protocol::new(Order::Literal, 1);
+        assert_eq!(good.validate(), Ok(()));
+        let few = Protocol { rounds: 7, ..good.clone() };
+        assert_eq!(few.validate(), Err(ProtocolError::FewRounds(7)));
+        let short = Protocol { block_ns: 999, ..good };
+        assert_eq!(short.validate(), Err(ProtocolError::BlockLength(999)));
+    }
+}

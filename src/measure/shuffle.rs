@@ -1,0 +1,56 @@
+//! Random orders whose draws stay the same between versions of the random-number crates.
+
+use rand::Rng;
+use rand_pcg::Pcg64Mcg;
+
+/// Puts `values` into a random order (Fisher-Yates, Durstenfeld's form).
+pub(super) fn shuffle<T>(rng: &mut Pcg64Mcg, values: &mut [T]) {
+    for last in (1..values.len()).rev() {
+        values.swap(last, below(rng, last + 1));
+    }
+}
+
+/// A number in 0..`bound`; its bias is at most bound / 2^64.
+fn below(rng: &mut Pcg64Mcg, bound: usize) -> usize {
+    ((u128::from(rng.next_u64()) * bound as u128) >> 64) as usize
+}
+
+/// A new random order of 0..`items`, which must fit u32.
+pub(super) fn permutation(rng: &mut Pcg64Mcg, items: usize) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..items as u32).collect();
+    shuffle(rng, &mut order);
+    order
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+
+    #[test]
+    fn keeps_every_value() {
+        let mut order = permutation(&mut Pcg64Mcg::seed_from_u64(1), 500);
+        assert!(order.windows(2).any(|w| w[0] > w[1]));
+        order.sort_unstable();
+        assert_eq!(order, (0..500).collect::<Vec<u32>>());
+    }
+
+    #[test]
+    fn every_order_of_three_is_equally_likely() {
+        let mut rng = Pcg64Mcg::seed_from_u64(7);
+        let mut counts = std::collections::BTreeMap::new();
+        for _ in 0..6000 {
+            *counts.entry(permutation(&mut rng, 3)).or_insert(0) += 1;
+        }
+        assert_eq!(counts.len(), 6);
+        // 1000 each, standard deviation 29.
+        assert!(counts.values().all(|&n| (850..1150).contains(&n)), "{counts:?}");
+    }
+
+    #[test]
+    fn nothing_and_one() {
+        let mut rng = Pcg64Mcg::seed_from_u64(1);
+        assert!(permutation(&mut rng, 0).is_empty());
+        assert_eq!(permutation(&mut rng, 1), [0]);
+    }
+}
