@@ -2,3 +2,5 @@
 #![forbid(unsafe_code)]
 pub mod job;
 pub mod workload;
+#[cfg(feature = "cli")]
+pub mod table;
