@@ -17,10 +17,15 @@ impl Axis {
         Axis::linear(low.min(0.0), high.max(0.0), ticks)
     }
 
-    /// An axis that starts at zero unless that would squeeze all values into its far half.
+    /// An axis that starts at zero only where that leaves the values most of its length; lines are
+    /// read by their slopes and distances, which an empty lower half would flatten.
     pub fn fitted(values: &[f64], ticks: usize) -> Self {
         let (low, high) = range(values);
-        if low >= 0.0 && low < 0.5 * high { Axis::linear(0.0, high, ticks) } else { Axis::linear(low, high, ticks) }
+        if low >= 0.0 && low < 0.3 * high {
+            Axis::linear(0.0, high, ticks)
+        } else {
+            Axis::linear(low, high, ticks)
+        }
     }
 
     /// A logarithmic axis over the values above zero; `None` if there are none.
@@ -37,14 +42,22 @@ impl Axis {
     /// Exactly the range of the values, for an axis whose points should reach both ends.
     pub fn exact(values: &[f64]) -> Self {
         let (low, high) = range(values);
-        if low == high { Axis { low: low - 0.5, high: high + 0.5, log: false } } else { Axis { low, high, log: false } }
+        if low == high {
+            Axis { low: low - 0.5, high: high + 0.5, log: false }
+        } else {
+            Axis { low, high, log: false }
+        }
     }
 
     fn linear(low: f64, high: f64, ticks: usize) -> Self {
         let spread = if high > low { high - low } else { high.abs().max(1.0) };
         let step = step(spread, ticks);
         let (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
-        if high > low { Axis { low, high, log: false } } else { Axis { low, high: low + step, log: false } }
+        if high > low {
+            Axis { low, high, log: false }
+        } else {
+            Axis { low, high: low + step, log: false }
+        }
     }
 
     /// Whether a value has a place on the axis.
@@ -68,6 +81,21 @@ impl Axis {
         if self.log { self.log_ticks(about) } else { self.linear_ticks(about) }
     }
 
+    /// As many ticks as have room side by side on an axis of that length.
+    pub fn ticks_within(&self, length: f64, size: f64) -> Vec<(f64, String)> {
+        let candidates = [8, 6, 5, 4, 3, 2, 1].map(|about| self.ticks(about));
+        candidates.into_iter().find(|ticks| self.fit(ticks, length, size)).unwrap_or_default()
+    }
+
+    /// Whether labels of that size, centred on their ticks in rising order, leave each other room.
+    pub fn fit(&self, ticks: &[(f64, String)], length: f64, size: f64) -> bool {
+        ticks.windows(2).all(|pair| {
+            let distance = (self.place(pair[1].0) - self.place(pair[0].0)) * length;
+            let words = pair.iter().map(|(_, words)| text::width(words, size, false)).sum::<f64>();
+            distance >= words / 2.0 + 5.0
+        })
+    }
+
     fn linear_ticks(&self, about: usize) -> Vec<(f64, String)> {
         let step = step(self.high - self.low, about);
         let first = (self.low / step - 1e-6).ceil() as i64;
@@ -86,7 +114,7 @@ impl Axis {
         if !ticks.is_empty() && ticks.len() <= about.max(3) * 2 {
             return ticks.into_iter().map(|value| (value, text::tick(value, value))).collect();
         }
-        let stride = decades.div_ceil(about.max(1));
+        let stride = decades.div_ceil(about.max(1) * 2);
         let coarse = (first..=last).step_by(stride).map(|decade| power(1, decade)).filter(within);
         coarse.map(|value| (value, text::tick(value, value))).collect()
     }

@@ -4,7 +4,7 @@
 use super::axis::Axis;
 use super::canvas::{Anchor, Type};
 use super::figure::{Figure, Scale};
-use super::frame::{Frame, MARGIN, SMALL, published_note, title};
+use super::frame::{Frame, MARGIN, SMALL, heading, published_note, title};
 use super::palette::{FAINT, GREY, INK, style};
 use super::published::{Measure, Published};
 use super::select::{self, Point, Selection};
@@ -43,7 +43,11 @@ struct Plan {
 }
 
 /// Draws the figure.
-pub(super) fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Result<String, ChartError> {
+pub(super) fn draw(
+    figure: &Figure,
+    rows: &[Row],
+    published: &Published,
+) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
     let mut ours = selection.points(figure, &figure.y)?;
     let panels = select::distinct(&ours, |point| &point.panel);
@@ -54,7 +58,8 @@ pub(super) fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Resu
         if !theirs.is_empty() {
             select::normalise(&mut theirs, base)?;
         }
-        y_title = format!("{y_title}, relative to {} at {}", figure.label(base), figure.label(&first));
+        y_title =
+            format!("{y_title}, relative to {} at {}", figure.label(base), figure.label(&first));
     }
     if figure.scale == Scale::Log {
         y_title.push_str(" (log scale)");
@@ -69,26 +74,35 @@ pub(super) fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Resu
         notes.push("whiskers: intervals".to_owned());
     }
     if hidden > 0 {
-        notes.push(format!("{hidden} values have no place on the axis and are not drawn"));
+        notes.push(format!("values without a place on the axis, not drawn: {hidden}"));
     }
     drawn(figure, &plan, &y_title, &notes)
 }
 
-fn plan(figure: &Figure, panels: Vec<String>, ours: Vec<Point>, published: Vec<Point>) -> Result<Plan, ChartError> {
+fn plan(
+    figure: &Figure,
+    panels: Vec<String>,
+    ours: Vec<Point>,
+    published: Vec<Point>,
+) -> Result<Plan, ChartError> {
     if ours.is_empty() {
         return Err(ChartError::Nothing("no value is above zero".to_owned()));
     }
     let all: Vec<Point> = ours.iter().chain(&published).cloned().collect();
     let mut values: Vec<f64> = all.iter().map(|point| point.y).chain(figure.reference).collect();
-    values.extend(all.iter().filter_map(|point| point.interval).flat_map(|(low, high)| [low, high]));
+    values
+        .extend(all.iter().filter_map(|point| point.interval).flat_map(|(low, high)| [low, high]));
     let axis = match figure.scale {
         Scale::Linear => Axis::from_zero(&values, 5),
-        Scale::Log => Axis::log(&values).ok_or_else(|| ChartError::Nothing("no value is above zero".to_owned()))?,
+        Scale::Log => Axis::log(&values)
+            .ok_or_else(|| ChartError::Nothing("no value is above zero".to_owned()))?,
     };
     let series = select::distinct(&all, |point| &point.series);
     let group = |name: String| {
-        let has = |series: &String| all.iter().any(|point| point.x == name && point.series == *series);
-        let present = series.iter().enumerate().filter(|(_, series)| has(series)).map(|(index, _)| index);
+        let has =
+            |series: &String| all.iter().any(|point| point.x == name && point.series == *series);
+        let present =
+            series.iter().enumerate().filter(|(_, series)| has(series)).map(|(index, _)| index);
         let lines = text::wrap(&figure.label(&name), SMALL, true, CATEGORY_LIMIT);
         Group { lines, series: present.collect(), name }
     };
@@ -109,11 +123,19 @@ impl Widths {
         let lines = plan.groups.iter().flat_map(|group| &group.lines);
         let category = lines.map(|line| text::width(line, SMALL, true)).fold(0.0, f64::max) + 14.0;
         // Where the categories are the series (x and series the same column), one name is enough.
-        let shown = plan.groups.iter().any(|group| group.series.iter().any(|s| plan.series[*s] != group.name));
-        let names = plan.series.iter().map(|name| text::width(&figure.label(name), SERIES_SIZE, false));
-        let series = if plan.series.len() > 1 && shown { names.fold(0.0, f64::max) + 12.0 } else { 0.0 };
+        let shown = plan
+            .groups
+            .iter()
+            .any(|group| group.series.iter().any(|s| plan.series[*s] != group.name));
+        let names =
+            plan.series.iter().map(|name| text::width(&figure.label(name), SERIES_SIZE, false));
+        let series =
+            if plan.series.len() > 1 && shown { names.fold(0.0, f64::max) + 12.0 } else { 0.0 };
         let all = plan.ours.iter().chain(&plan.published);
-        let value = all.map(|point| text::width(&text::figure(point.y), VALUE_SIZE, false)).fold(0.0, f64::max) + 18.0;
+        let value = all
+            .map(|point| text::width(&text::figure(point.y), VALUE_SIZE, false))
+            .fold(0.0, f64::max)
+            + 18.0;
         let plot = [520.0, 320.0, 240.0, 200.0][plan.panels.len().clamp(1, 4) - 1];
         Widths { category, series, plot, value }
     }
@@ -123,10 +145,19 @@ impl Widths {
     }
 }
 
-fn drawn(figure: &Figure, plan: &Plan, y_title: &str, notes: &[String]) -> Result<String, ChartError> {
+fn drawn(
+    figure: &Figure,
+    plan: &Plan,
+    y_title: &str,
+    notes: &[String],
+) -> Result<String, ChartError> {
     let widths = Widths::new(figure, plan);
     let mut frame = Frame::new(figure, widths.panel(plan.panels.len().max(1)) + MARGIN);
-    let headings: Vec<_> = plan.panels.iter().map(|panel| heading(figure, panel, widths.plot + widths.value)).collect();
+    let headings: Vec<_> = plan
+        .panels
+        .iter()
+        .map(|panel| heading(figure, panel, widths.plot + widths.value))
+        .collect();
     for (index, heading) in headings.iter().enumerate() {
         for (line, words) in heading.iter().enumerate() {
             let at = (widths.panel(index), frame.top + 9.0 + 17.0 * line as f64);
@@ -148,7 +179,9 @@ fn drawn(figure: &Figure, plan: &Plan, y_title: &str, notes: &[String]) -> Resul
         }
     }
     let mut under = bottom + 36.0;
-    for words in text::wrap(y_title, SMALL, false, widths.plot * plan.panels.len() as f64 + widths.value) {
+    for words in
+        text::wrap(y_title, SMALL, false, widths.plot * plan.panels.len() as f64 + widths.value)
+    {
         frame.canvas.text((widths.panel(0), under), &words, Type::new(SMALL, GREY));
         under += 16.0;
     }
@@ -156,21 +189,15 @@ fn drawn(figure: &Figure, plan: &Plan, y_title: &str, notes: &[String]) -> Resul
     frame.close(figure, under, notes, &description)
 }
 
-fn heading(figure: &Figure, panel: &str, width: f64) -> Vec<String> {
-    let Some(column) = &figure.panels else { return Vec::new() };
-    text::wrap(&format!("{}: {}", column.replace('_', " "), figure.label(panel)), 13.0, true, width)
-}
-
-fn axis(frame: &mut Frame, figure: &Figure, plan: &Plan, left: f64, width: f64, (top, bottom): (f64, f64)) {
-    let ticks = [6, 5, 4, 3, 2, 1].map(|about| plan.axis.ticks(about));
-    let fits = |ticks: &Vec<(f64, String)>| {
-        ticks.windows(2).all(|pair| {
-            let distance = (plan.axis.place(pair[1].0) - plan.axis.place(pair[0].0)) * width;
-            let words = text::width(&pair[0].1, SMALL, false) + text::width(&pair[1].1, SMALL, false);
-            distance >= words / 2.0 + 6.0
-        })
-    };
-    for (value, words) in ticks.into_iter().find(fits).unwrap_or_default() {
+fn axis(
+    frame: &mut Frame,
+    figure: &Figure,
+    plan: &Plan,
+    left: f64,
+    width: f64,
+    (top, bottom): (f64, f64),
+) {
+    for (value, words) in plan.axis.ticks_within(width, SMALL) {
         let x = left + plan.axis.place(value) * width;
         let zero = value == 0.0 && plan.axis.has_zero();
         frame.canvas.line(&[(x, top), (x, bottom + 4.0)], if zero { GREY } else { FAINT }, 1.0);
@@ -183,7 +210,11 @@ fn axis(frame: &mut Frame, figure: &Figure, plan: &Plan, left: f64, width: f64, 
 }
 
 fn names(frame: &mut Frame, figure: &Figure, plan: &Plan, group: &Group, widths: &Widths, y: f64) {
-    let first = y + if group.series.len() == 1 { (group.height() - group.lines.len() as f64 * LINE) / 2.0 } else { 0.0 };
+    let first = y + if group.series.len() == 1 {
+        (group.height() - group.lines.len() as f64 * LINE) / 2.0
+    } else {
+        0.0
+    };
     for (line, words) in group.lines.iter().enumerate() {
         let at = (MARGIN, first + LINE * (line as f64 + 0.5));
         frame.canvas.text(at, words, Type::new(SMALL, INK).bold());
@@ -203,37 +234,46 @@ fn bar_middle(group: &Group, y: f64, bar: usize) -> f64 {
     first + (BAR + BAR_GAP) * bar as f64 + BAR / 2.0
 }
 
-fn bars(frame: &mut Frame, plan: &Plan, panel: &str, group: &Group, (left, width): (f64, f64), y: f64) {
+fn bars(
+    frame: &mut Frame,
+    plan: &Plan,
+    panel: &str,
+    group: &Group,
+    (left, width): (f64, f64),
+    y: f64,
+) {
     let at = |value: f64| left + plan.axis.place(value) * width;
     for (bar, series) in group.series.iter().enumerate() {
         let middle = bar_middle(group, y, bar);
         let (colour, shape) = style(*series);
-        let wanted = |point: &&Point| point.panel == panel && point.x == group.name && point.series == plan.series[*series];
-        let mut end = left;
-        let ours = plan.ours.iter().find(wanted);
+        let wanted = |point: &&Point| {
+            point.panel == panel && point.x == group.name && point.series == plan.series[*series]
+        };
+        let (ours, published) = (plan.ours.iter().find(wanted), plan.published.iter().find(wanted));
+        let mut end = published.map_or(left, |point| at(point.y) + 6.0);
         if let Some(point) = ours {
-            end = at(point.y.max(0.0));
+            end = end.max(at(point.y.max(0.0)));
+            let whisker = point.interval.map(|(low, high)| ((at(low), middle), (at(high), middle)));
+            end = whisker.map_or(end, |(_, high)| end.max(high.0));
             if plan.axis.has_zero() {
-                frame.canvas.bar((at(0.0), middle - BAR / 2.0), (at(point.y), middle + BAR / 2.0), colour);
-            } else {
+                let corners = [(at(0.0), middle - BAR / 2.0), (at(point.y), middle + BAR / 2.0)];
+                frame.canvas.bar(corners[0], corners[1], colour);
+            }
+            if let Some((low, high)) = whisker {
+                frame.canvas.whisker(low, high, 4.0, INK);
+            }
+            if !plan.axis.has_zero() {
                 frame.canvas.marker(shape, (at(point.y), middle), 4.5, colour);
                 end += 6.0;
             }
-            if let Some((low, high)) = point.interval {
-                frame.canvas.whisker((at(low), middle), (at(high), middle), 4.0, INK);
-                end = end.max(at(high));
-            }
         }
-        let published = plan.published.iter().find(wanted);
+        // Over the bar, which may be longer, but under no number.
         if let Some(point) = published {
             frame.canvas.hollow(shape, (at(point.y), middle), 4.5, colour);
-            end = end.max(at(point.y) + 6.0);
         }
-        let words = match ours.or(published) {
-            Some(point) => text::figure(point.y),
-            None => "–".to_owned(),
-        };
-        frame.canvas.text((end + 7.0, middle), &words, Type::new(VALUE_SIZE, INK));
+        let words = ours.or(published).map_or("–".to_owned(), |point| text::figure(point.y));
+        let ink = if ours.is_some() { INK } else { GREY };
+        frame.canvas.value((end + 7.0, middle), &words, Type::new(VALUE_SIZE, ink));
     }
 }
 

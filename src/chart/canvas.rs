@@ -1,7 +1,7 @@
 //! What is drawn, collected first and handed to plotters when the height of the picture is known.
 
 use super::palette::{PAPER, Shape};
-use super::{ChartError, svg};
+use super::{ChartError, svg, text};
 use plotters::backend::SVGBackend;
 use plotters::drawing::IntoDrawingArea;
 use plotters::element::{PathElement, Polygon, Text as PlottersText};
@@ -98,7 +98,7 @@ impl Canvas {
 
     /// A marker with a white rim, so that it stays apart from lines beneath it.
     pub fn marker(&mut self, shape: Shape, at: Place, radius: f64, colour: RGBColor) {
-        self.area(&shape.corners(at, radius + 1.2), PAPER, 1.0);
+        self.area(&shape.corners(at, radius + 0.8), PAPER, 1.0);
         self.area(&shape.corners(at, radius), colour, 1.0);
     }
 
@@ -117,13 +117,30 @@ impl Canvas {
         let (across, down) = if upright { (half_end, 0.0) } else { (0.0, half_end) };
         self.line(&[low, high], colour, 1.1);
         for end in [low, high] {
-            self.line(&[(end.0 - across, end.1 - down), (end.0 + across, end.1 + down)], colour, 1.1);
+            self.line(
+                &[(end.0 - across, end.1 - down), (end.0 + across, end.1 + down)],
+                colour,
+                1.1,
+            );
         }
     }
 
     /// A text whose capitals are centred on the height of its place.
     pub fn text(&mut self, at: Place, text: &str, style: Type) {
         self.marks.push(Mark::Text { at, text: text.to_owned(), style });
+    }
+
+    /// A text on a piece of ground that covers the grid lines beneath it.
+    pub fn value(&mut self, at: Place, text: &str, style: Type) {
+        let width = text::width(text, style.size, style.bold);
+        let left = match style.anchor {
+            Anchor::Start => at.0,
+            Anchor::Middle => at.0 - width / 2.0,
+            Anchor::End => at.0 - width,
+        };
+        let half = style.size * 0.55;
+        self.bar((left - 1.0, at.1 - half), (left + width + 1.0, at.1 + half), PAPER);
+        self.text(at, text, style);
     }
 
     /// The picture as SVG text of the given size.

@@ -30,11 +30,15 @@ struct Line {
 }
 
 /// Draws the figure.
-pub(super) fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Result<String, ChartError> {
+pub(super) fn draw(
+    figure: &Figure,
+    rows: &[Row],
+    published: &Published,
+) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
     let lines = lines(figure, &selection);
     if lines.iter().all(|line| line.ours.iter().all(Option::is_none)) {
-        return Err(ChartError::Nothing("none of the rows has operation counts".to_owned()));
+        return Err(ChartError::Nothing("no row has operation counts".to_owned()));
     }
     let theirs = select::published(figure, published, Measure::Count, &[String::new()]);
     let names = lines.iter().map(|line| text::width(&figure.label(&line.name), SIZE, true));
@@ -48,14 +52,24 @@ pub(super) fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Resu
         for (index, (_, operation, _)) in OPERATIONS.iter().enumerate() {
             let wanted = |point: &&Point| point.series == line.name && point.x == *operation;
             let published = theirs.iter().find(wanted).map(|point| point.y);
-            cell(&mut frame.canvas, (left + CELL * (index as f64 + 0.5), y), line.ours[index], published);
+            cell(
+                &mut frame.canvas,
+                (left + CELL * (index as f64 + 0.5), y),
+                line.ours[index],
+                published,
+            );
         }
         frame.top += LINE;
         let right = left + CELL * OPERATIONS.len() as f64;
         frame.canvas.line(&[(MARGIN, frame.top), (right, frame.top)], FAINT, 1.0);
     }
     let marks = if theirs.is_empty() { "" } else { "tick = the same, cross = not the same" };
-    let notes = [selection.source(), published_note(figure), marks.to_owned(), "a change of sign counts as −".to_owned()];
+    let notes = [
+        selection.source(),
+        published_note(figure),
+        marks.to_owned(),
+        "a change of sign counts as −".to_owned(),
+    ];
     let description = described(figure, &lines, &theirs);
     let bottom = frame.top;
     frame.close(figure, bottom, &notes, &description)
@@ -84,7 +98,11 @@ fn lines(figure: &Figure, selection: &Selection<'_>) -> Vec<Line> {
 fn header(frame: &mut Frame, left: f64) {
     for (index, (sign, _, words)) in OPERATIONS.iter().enumerate() {
         let x = left + CELL * (index as f64 + 0.5);
-        frame.canvas.text((x, frame.top + 10.0), sign, Type::new(17.0, INK).bold().at(Anchor::Middle));
+        frame.canvas.text(
+            (x, frame.top + 10.0),
+            sign,
+            Type::new(17.0, INK).bold().at(Anchor::Middle),
+        );
         frame.canvas.text((x, frame.top + 30.0), words, Type::new(11.0, GREY).at(Anchor::Middle));
     }
     frame.top += 44.0;
@@ -106,7 +124,7 @@ fn cell(canvas: &mut Canvas, (x, y): Place, ours: Option<u64>, published: Option
         canvas.line(&[(x - 4.5, y - 4.5), (x + 4.5, y + 4.5)], DIFFERS, 2.2);
         canvas.line(&[(x - 4.5, y + 4.5), (x + 4.5, y - 4.5)], DIFFERS, 2.2);
     }
-    canvas.text((x + 13.0, y), &text::figure(published).to_string(), Type::new(12.0, GREY));
+    canvas.text((x + 13.0, y), &published.to_string(), Type::new(12.0, GREY));
 }
 
 fn described(figure: &Figure, lines: &[Line], theirs: &[Point]) -> String {
@@ -114,7 +132,8 @@ fn described(figure: &Figure, lines: &[Line], theirs: &[Point]) -> String {
         let cells = OPERATIONS.iter().zip(line.ours).map(|((_, operation, words), ours)| {
             let ours = ours.map_or("no".to_owned(), |count| count.to_string());
             let wanted = |point: &&Point| point.series == line.name && point.x == *operation;
-            let published = theirs.iter().find(wanted).map(|point| format!(" (published {})", point.y));
+            let published =
+                theirs.iter().find(wanted).map(|point| format!(" (published {})", point.y));
             format!("{ours} {words}{}", published.unwrap_or_default())
         });
         format!("{}: {}.", figure.label(&line.name), cells.collect::<Vec<_>>().join(", "))

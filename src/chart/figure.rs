@@ -188,7 +188,11 @@ impl Figure {
         }
         if self.kind == Kind::Lines {
             let [column] = self.x.list() else {
-                return Err(self.wrong("x", &self.x.list().join(", "), "one numeric column for lines"));
+                return Err(self.wrong(
+                    "x",
+                    &self.x.list().join(", "),
+                    "one numeric column for lines",
+                ));
             };
             return self.numeric_column("x", column);
         }
@@ -199,7 +203,11 @@ impl Figure {
     }
 
     fn column(&self, key: &'static str, column: &str) -> Result<(), ChartError> {
-        if COLUMNS.contains(&column) { Ok(()) } else { Err(self.wrong(key, column, &COLUMNS.join(", "))) }
+        if COLUMNS.contains(&column) {
+            Ok(())
+        } else {
+            Err(self.wrong(key, column, &COLUMNS.join(", ")))
+        }
     }
 
     fn numeric_column(&self, key: &'static str, column: &str) -> Result<(), ChartError> {
@@ -219,9 +227,9 @@ impl Figure {
 
     /// Whether the filter lets a row through.
     pub fn admits(&self, row: &Row) -> bool {
-        self.filter.iter().all(|(column, wanted)| {
-            row.cell(column).is_some_and(|cell| wanted.admits(cell))
-        })
+        self.filter
+            .iter()
+            .all(|(column, wanted)| row.cell(column).is_some_and(|cell| wanted.admits(cell)))
     }
 
     /// The words shown for a stored value.

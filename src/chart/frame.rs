@@ -35,17 +35,26 @@ impl Frame {
 
     /// Text over the whole width, as many lines as it needs.
     pub fn paragraph(&mut self, words: &str, style: Type) {
-        for line in text::wrap(words, style.size, style.bold, self.width - 2.0 * MARGIN) {
+        for line in text::balanced(words, style.size, style.bold, self.width - 2.0 * MARGIN) {
             let height = style.size * 1.35;
-            self.canvas.text((MARGIN, self.top + height / 2.0), &line, style);
+            // A separator has nothing to part at the end of a line.
+            let line = line.trim_end_matches(" ·");
+            self.canvas.text((MARGIN, self.top + height / 2.0), line, style);
             self.top += height;
         }
     }
 
     /// Ends a figure whose drawing reaches down to `bottom`: footer, title and description.
-    pub fn close(mut self, figure: &Figure, bottom: f64, footer: &[String], description: &str) -> Result<String, ChartError> {
+    pub fn close(
+        mut self,
+        figure: &Figure,
+        bottom: f64,
+        footer: &[String],
+        description: &str,
+    ) -> Result<String, ChartError> {
         self.top = bottom + 12.0;
-        let notes: Vec<&str> = footer.iter().map(String::as_str).filter(|note| !note.is_empty()).collect();
+        let notes: Vec<&str> =
+            footer.iter().map(String::as_str).filter(|note| !note.is_empty()).collect();
         self.paragraph(&notes.join(" · "), Type::new(FOOTER, GREY));
         let drawn = self.canvas.render(self.width, self.top + 10.0)?;
         let description = format!("{} {description} {}", figure.subtitle, notes.join("; "));
@@ -58,7 +67,11 @@ pub(super) fn published_note(figure: &Figure) -> String {
     let Some(beside) = &figure.published else { return String::new() };
     let table = beside.table.replacen("table_", "table ", 1).replace('_', ".");
     let how = if figure.kind == Kind::Counts { "grey" } else { "hollow" };
-    if beside.note.is_empty() { format!("{how} = published, {table}") } else { format!("{how} = published, {table}, {}", beside.note) }
+    if beside.note.is_empty() {
+        format!("{how} = published, {table}")
+    } else {
+        format!("{how} = published, {table}, {}", beside.note)
+    }
 }
 
 /// A figure without a drawing that says why there is none.
@@ -68,7 +81,11 @@ pub(super) fn placeholder(figure: &Figure, reason: &str) -> Result<String, Chart
     let mut frame = Frame::new(figure, WIDTH);
     let (left, right, top) = (MARGIN, WIDTH - MARGIN, frame.top);
     let bottom = top + HEIGHT;
-    frame.canvas.dashed(&[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], LEADER, 1.0);
+    frame.canvas.dashed(
+        &[(left, top), (right, top), (right, bottom), (left, bottom), (left, top)],
+        LEADER,
+        1.0,
+    );
     let words = format!("Not drawn: {reason}.");
     let style = Type::new(14.0, GREY).at(Anchor::Middle);
     let lines = text::wrap(&words, style.size, false, WIDTH - 4.0 * MARGIN);
@@ -98,4 +115,11 @@ pub(super) fn title(column: &str) -> String {
         other => return other.replace('_', " "),
     };
     known.to_owned()
+}
+
+/// The words over a small multiple: which value of which column it is about.
+pub(super) fn heading(figure: &Figure, panel: &str, width: f64) -> Vec<String> {
+    let Some(column) = &figure.panels else { return Vec::new() };
+    let words = format!("{}: {}", column.replace('_', " "), figure.label(panel));
+    text::wrap(&words, 13.0, true, width)
 }

@@ -10,6 +10,7 @@ mod counts;
 mod figure;
 mod frame;
 mod labels;
+mod line_marks;
 mod lines;
 mod palette;
 mod published;

@@ -98,7 +98,8 @@ fn object<'a>(value: &'a Value, key: &str) -> Option<&'a Map<String, Value>> {
 
 fn seconds(table: &str, value: &Value) -> Vec<PublishedPoint> {
     let Some(seconds) = object(value, "seconds") else { return Vec::new() };
-    let densities: Vec<_> = value.get("density").and_then(Value::as_array).into_iter().flatten().collect();
+    let densities: Vec<_> =
+        value.get("density").and_then(Value::as_array).into_iter().flatten().collect();
     let mut points = Vec::new();
     for (name, figures) in seconds {
         match figures {

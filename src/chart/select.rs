@@ -1,8 +1,8 @@
 //! From rows to the points of a figure.
 
+use super::ChartError;
 use super::figure::{Figure, Names};
 use super::published::{Measure, Published};
-use super::ChartError;
 use crate::table::{COLUMNS, Cell, Row};
 use std::collections::BTreeSet;
 
@@ -41,7 +41,7 @@ impl<'a> Selection<'a> {
         if kept.is_empty() {
             let reason = match rows.len() {
                 0 => "there are no rows".to_owned(),
-                count => format!("none of the {count} rows passes the figure's filter"),
+                count => format!("no row (of {count}) passes the figure's filter"),
             };
             return Err(ChartError::Nothing(reason));
         }
@@ -62,7 +62,8 @@ impl<'a> Selection<'a> {
                 interval: interval(row, column, y),
             };
             let same = |other: &&(Point, &Row)| {
-                (&other.0.panel, &other.0.series, &other.0.x) == (&point.panel, &point.series, &point.x)
+                (&other.0.panel, &other.0.series, &other.0.x)
+                    == (&point.panel, &point.series, &point.x)
             };
             if let Some((_, other)) = points.iter().find(same) {
                 return Err(ambiguous(figure, &point, other, row));
@@ -70,7 +71,7 @@ impl<'a> Selection<'a> {
             points.push((point, row));
         }
         if points.is_empty() {
-            let reason = format!("none of the {} rows has a value of {column}", self.rows.len());
+            let reason = format!("no row (of {}) has a value of {column}", self.rows.len());
             return Err(ChartError::Nothing(reason));
         }
         Ok(points.into_iter().map(|(point, _)| point).collect())
@@ -124,7 +125,9 @@ fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
     let (low, high) = match column {
         "ratio_to_reference" => (row.ratio_low?, row.ratio_high?),
         "ns_per_test" => (row.ns_low?, row.ns_high?),
-        "seconds" | "cycles_per_test" => (y * row.ns_low? / row.ns_per_test?, y * row.ns_high? / row.ns_per_test?),
+        "seconds" | "cycles_per_test" => {
+            (y * row.ns_low? / row.ns_per_test?, y * row.ns_high? / row.ns_per_test?)
+        }
         "mtests_per_s" => (y * row.ns_per_test? / row.ns_high?, y * row.ns_per_test? / row.ns_low?),
         _ => return None,
     };
@@ -135,30 +138,44 @@ fn ambiguous(figure: &Figure, point: &Point, one: &Row, other: &Row) -> ChartErr
     // Figures differ between any two rows; only what names a row can tell them apart.
     const NAMING: [&str; 5] = ["density", "triangles", "code", "repeats", "seed"];
     let names = |column: &&&str| {
-        let text = matches!(one.cell(column), Some(Cell::Text(_))) || matches!(other.cell(column), Some(Cell::Text(_)));
+        let text = matches!(one.cell(column), Some(Cell::Text(_)))
+            || matches!(other.cell(column), Some(Cell::Text(_)));
         (text && **column != "id") || NAMING.contains(*column)
     };
-    let differing = COLUMNS.iter().filter(names).filter(|column| one.cell(column) != other.cell(column));
+    let differing =
+        COLUMNS.iter().filter(names).filter(|column| one.cell(column) != other.cell(column));
     let differing: Vec<_> = differing.copied().collect();
     let place = [&point.panel, &point.series, &point.x].map(String::as_str);
     let place = place.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ");
-    let differing = if differing.is_empty() { "nothing: a row is there twice".to_owned() } else { differing.join(", ") };
+    let differing = if differing.is_empty() {
+        "nothing: a row is there twice".to_owned()
+    } else {
+        differing.join(", ")
+    };
     ChartError::Ambiguous { figure: figure.file.clone(), place, differing }
 }
 
 /// The published points of a figure, named as ours are and in every panel that they belong in.
-pub(super) fn published(figure: &Figure, published: &Published, measure: Measure, panels: &[String]) -> Vec<Point> {
+pub(super) fn published(
+    figure: &Figure,
+    published: &Published,
+    measure: Measure,
+    panels: &[String],
+) -> Vec<Point> {
     let Some(beside) = &figure.published else { return Vec::new() };
     let points = published.points(&beside.table, measure);
     let belongs = |panel: &&String| beside.panel.as_ref().is_none_or(|only| only == *panel);
     let in_panel = |panel: &String| {
-        points.iter().map(|point| Point {
-            panel: panel.clone(),
-            series: beside.names.get(&point.series).unwrap_or(&point.series).clone(),
-            x: point.x.clone(),
-            y: point.y,
-            interval: None,
-        }).collect::<Vec<_>>()
+        points
+            .iter()
+            .map(|point| Point {
+                panel: panel.clone(),
+                series: beside.names.get(&point.series).unwrap_or(&point.series).clone(),
+                x: point.x.clone(),
+                y: point.y,
+                interval: None,
+            })
+            .collect::<Vec<_>>()
     };
     panels.iter().filter(belongs).flat_map(in_panel).collect()
 }
@@ -179,7 +196,10 @@ pub(super) fn normalise(points: &mut [Point], base: &str) -> Result<String, Char
         if unit == 0.0 {
             return Err(ChartError::Nothing(format!("the value of {base} to divide by is zero")));
         }
-        points.iter_mut().filter(|point| point.panel == panel).for_each(|point| scale(point, 1.0 / unit));
+        points
+            .iter_mut()
+            .filter(|point| point.panel == panel)
+            .for_each(|point| scale(point, 1.0 / unit));
         first_x = x;
     }
     Ok(first_x)

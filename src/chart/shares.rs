@@ -34,7 +34,11 @@ struct Plan {
 }
 
 /// Draws the figure.
-pub(super) fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Result<String, ChartError> {
+pub(super) fn draw(
+    figure: &Figure,
+    rows: &[Row],
+    published: &Published,
+) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
     let mut halves = vec![upper(figure, &selection, published)?];
     let mut notes = vec![selection.source(), published_note(figure)];
@@ -42,7 +46,9 @@ pub(super) fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Resu
         match lower(figure, column, &selection, published) {
             Ok(half) => halves.push(half),
             // The shares alone are still an answer.
-            Err(ChartError::Nothing(reason)) => notes.push(format!("the lower chart is not drawn: {reason}")),
+            Err(ChartError::Nothing(reason)) => {
+                notes.push(format!("the lower chart is not drawn: {reason}"))
+            }
             Err(error) => return Err(error),
         }
     }
@@ -53,7 +59,11 @@ pub(super) fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Resu
     drawn(figure, published, &plan, &halves, &notes)
 }
 
-fn upper(figure: &Figure, selection: &Selection<'_>, published: &Published) -> Result<Half, ChartError> {
+fn upper(
+    figure: &Figure,
+    selection: &Selection<'_>,
+    published: &Published,
+) -> Result<Half, ChartError> {
     let mut ours = selection.points(figure, &figure.y)?;
     let share = figure.y == "share";
     let measure = if share { Measure::Share } else { Measure::Seconds };
@@ -65,14 +75,19 @@ fn upper(figure: &Figure, selection: &Selection<'_>, published: &Published) -> R
     Ok(half(title, ours, theirs))
 }
 
-fn lower(figure: &Figure, column: &str, selection: &Selection<'_>, published: &Published) -> Result<Half, ChartError> {
+fn lower(
+    figure: &Figure,
+    column: &str,
+    selection: &Selection<'_>,
+    published: &Published,
+) -> Result<Half, ChartError> {
     let mut ours = selection.points(figure, column)?;
     let mut theirs = select::published(figure, published, Measure::Seconds, &[String::new()]);
     let mut title = figure.y_below_title.clone().unwrap_or_else(|| title(column));
     if let Some(base) = &figure.normalise_to {
         relative(&mut ours, base)?;
         relative(&mut theirs, base)?;
-        title = format!("{title}, relative to {}", figure.label(base));
+        title = format!("{title}, relative to {} {base}", figure.x.list().join(" "));
     }
     Ok(half(title, ours, theirs))
 }
@@ -90,15 +105,20 @@ fn relative(points: &mut [Point], base: &str) -> Result<(), ChartError> {
     for series in select::distinct(points, |point| &point.series) {
         let mine = |point: &&Point| point.series == series && point.x == base;
         let unit = points.iter().find(mine).map(|point| point.y).filter(|unit| *unit != 0.0);
-        let missing = || ChartError::Nothing(format!("{series} has no value at '{base}' to divide by"));
+        let missing =
+            || ChartError::Nothing(format!("{series} has no value at '{base}' to divide by"));
         let unit = unit.ok_or_else(missing)?;
-        points.iter_mut().filter(|point| point.series == series).for_each(|point| select::scale(point, 1.0 / unit));
+        points
+            .iter_mut()
+            .filter(|point| point.series == series)
+            .for_each(|point| select::scale(point, 1.0 / unit));
     }
     Ok(())
 }
 
 fn plan(halves: &[Half]) -> Plan {
-    let all: Vec<Point> = halves.iter().flat_map(|half| half.ours.iter().chain(&half.published)).cloned().collect();
+    let all: Vec<Point> =
+        halves.iter().flat_map(|half| half.ours.iter().chain(&half.published)).cloned().collect();
     let mut categories = select::distinct(&all, |point| &point.x);
     let number = |name: &String| name.parse::<f64>().unwrap_or(f64::INFINITY);
     categories.sort_by(|a, b| number(a).total_cmp(&number(b)));
@@ -109,7 +129,13 @@ fn plan(halves: &[Half]) -> Plan {
     Plan { categories, series, left: MARGIN + left, slot }
 }
 
-fn drawn(figure: &Figure, published: &Published, plan: &Plan, halves: &[Half], notes: &[String]) -> Result<String, ChartError> {
+fn drawn(
+    figure: &Figure,
+    published: &Published,
+    plan: &Plan,
+    halves: &[Half],
+    notes: &[String],
+) -> Result<String, ChartError> {
     let width = (plan.left + plan.slot * plan.categories.len() as f64 + MARGIN).max(640.0);
     let mut frame = Frame::new(figure, width);
     if plan.series.len() > 1 {
@@ -164,7 +190,14 @@ fn axis(frame: &mut Frame, plan: &Plan, half: &Half, top: f64, bottom: f64) {
     }
 }
 
-fn columns(frame: &mut Frame, plan: &Plan, half: &Half, category: &str, middle: f64, (top, bottom): (f64, f64)) {
+fn columns(
+    frame: &mut Frame,
+    plan: &Plan,
+    half: &Half,
+    category: &str,
+    middle: f64,
+    (top, bottom): (f64, f64),
+) {
     let at = |value: f64| bottom - half.axis.place(value) * (bottom - top);
     let count = plan.series.len() as f64;
     let bar = if count > 1.0 { BAR_LIMIT * 0.8 } else { BAR_LIMIT };
@@ -184,12 +217,18 @@ fn columns(frame: &mut Frame, plan: &Plan, half: &Half, category: &str, middle: 
         }
         let published = half.published.iter().find(wanted);
         if let Some(point) = published {
-            frame.canvas.hollow(shape, (x, at(point.y)), 5.0, colour);
+            // Beside the bar's middle, where the whisker is.
+            let aside = if ours.is_some() { bar / 2.0 + 1.0 } else { 0.0 };
+            frame.canvas.hollow(shape, (x + aside, at(point.y)), 5.0, colour);
             end = end.min(at(point.y) - 6.0);
         }
         let colour = if ours.is_some() { INK } else { GREY };
         let words = ours.or(published).map_or("–".to_owned(), |point| text::figure(point.y));
-        frame.canvas.text((x, end - 9.0), &words, Type::new(VALUE_SIZE, colour).at(Anchor::Middle));
+        frame.canvas.value(
+            (x, end - 10.0),
+            &words,
+            Type::new(VALUE_SIZE, colour).at(Anchor::Middle),
+        );
     }
 }
 
@@ -213,10 +252,17 @@ fn meanings(frame: &mut Frame, figure: &Figure, published: &Published, plan: &Pl
 fn described(figure: &Figure, plan: &Plan, halves: &[Half]) -> String {
     let half = |half: &Half| {
         let values = half.ours.iter().map(|point| {
-            let series = if plan.series.len() > 1 { format!("{} ", figure.label(&point.series)) } else { String::new() };
+            let series = if plan.series.len() > 1 {
+                format!("{} ", figure.label(&point.series))
+            } else {
+                String::new()
+            };
             format!("{series}{} {}", point.x, text::figure(point.y))
         });
         format!("{}: {}.", half.title, values.collect::<Vec<_>>().join("; "))
     };
-    format!("Bar charts on the same categories. {}", halves.iter().map(half).collect::<Vec<_>>().join(" "))
+    format!(
+        "Bar charts on the same categories. {}",
+        halves.iter().map(half).collect::<Vec<_>>().join(" ")
+    )
 }

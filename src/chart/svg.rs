@@ -13,7 +13,10 @@ pub(super) fn scaled(drawn: &str, factor: f64) -> String {
         let Some(end) = rest[start..].find('>').map(|end| start + end + 1) else { break };
         // Text between tags: plotters puts it on a line of its own.
         out.push_str(rest[..start].trim());
-        if rest[..start].trim().is_empty() && !out.is_empty() && !rest[start..].starts_with("</text") {
+        if rest[..start].trim().is_empty()
+            && !out.is_empty()
+            && !rest[start..].starts_with("</text")
+        {
             out.push('\n');
         }
         out.push_str(&tag(&rest[start..end], factor));
@@ -70,10 +73,9 @@ fn numbers(value: &str, factor: f64) -> String {
 /// Gives the picture a title and a description that screen readers read out. The ids carry the
 /// figure's name, so that several pictures can stand in one page.
 pub(super) fn described(drawn: &str, file: &str, title: &str, description: &str) -> String {
-    let name: String = file.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
-    let head = format!(
-        "<svg role=\"img\" aria-labelledby=\"{name}-title {name}-desc\" ",
-    );
+    let name: String =
+        file.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    let head = format!("<svg role=\"img\" aria-labelledby=\"{name}-title {name}-desc\" ",);
     let inner = format!(
         ">\n<title id=\"{name}-title\">{}</title>\n<desc id=\"{name}-desc\">{}</desc>",
         escape(title),

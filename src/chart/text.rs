@@ -23,6 +23,14 @@ pub(super) fn wrap(text: &str, size: f64, bold: bool, limit: f64) -> Vec<String>
     lines
 }
 
+/// The same number of lines as [`wrap`] needs, but about equally long: no last line of one word.
+pub(super) fn balanced(text: &str, size: f64, bold: bool, limit: f64) -> Vec<String> {
+    let lines = wrap(text, size, bold, limit);
+    let narrower = (10..20).map(|twentieth| limit * f64::from(twentieth) / 20.0);
+    let mut narrower = narrower.map(|limit| wrap(text, size, bold, limit));
+    narrower.find(|other| other.len() == lines.len()).unwrap_or(lines)
+}
+
 fn cut(word: &str, size: f64, bold: bool, limit: f64) -> Vec<String> {
     let most = (limit / width("x", size, bold)).max(1.0) as usize;
     let characters: Vec<char> = word.chars().collect();
@@ -51,7 +59,11 @@ pub(super) fn tick(value: f64, step: f64) -> String {
     // The step is 1, 2 or 5 times a power of ten, so its own magnitude tells the decimals.
     let decimals = (-step.abs().log10().floor()).clamp(0.0, 8.0) as usize;
     let label = format!("{value:.decimals$}");
-    if label.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') { "0".into() } else { label }
+    if label.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
+        "0".into()
+    } else {
+        label
+    }
 }
 
 fn trim(number: &str) -> String {

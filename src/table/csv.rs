@@ -15,7 +15,8 @@ fn to_bytes(rows: &[Row]) -> Result<Vec<u8>, csv::Error> {
     writer.write_record(COLUMNS)?;
     for row in rows {
         let cells = COLUMNS.iter().map(|column| row.cell(column));
-        writer.write_record(cells.map(|cell| cell.map_or(String::new(), |cell| cell.to_string())))?;
+        writer
+            .write_record(cells.map(|cell| cell.map_or(String::new(), |cell| cell.to_string())))?;
     }
     writer.flush()?;
     drop(writer);
@@ -25,8 +26,8 @@ fn to_bytes(rows: &[Row]) -> Result<Vec<u8>, csv::Error> {
 /// Reads rows. Columns may stand in any order; the contract's must be there, ours may be missing,
 /// unknown ones are ignored.
 pub fn read_csv(path: &Path) -> Result<Vec<Row>, TableError> {
-    let text = std::fs::read(path)
-        .map_err(|source| TableError::Io { file: path.to_owned(), source })?;
+    let text =
+        std::fs::read(path).map_err(|source| TableError::Io { file: path.to_owned(), source })?;
     let mut reader = csv::Reader::from_reader(text.as_slice());
     let header = reader.headers().map_err(|error| syntax(path, 1, &error))?.clone();
     for column in &COLUMNS[..REQUIRED] {

@@ -43,8 +43,8 @@ pub fn write_json(path: &Path, run: &RunFile) -> Result<(), TableError> {
 
 /// Reads a run file; names the row and the column of what is wrong, and what is allowed there.
 pub fn read_json(path: &Path) -> Result<RunFile, TableError> {
-    let text = std::fs::read(path)
-        .map_err(|source| TableError::Io { file: path.to_owned(), source })?;
+    let text =
+        std::fs::read(path).map_err(|source| TableError::Io { file: path.to_owned(), source })?;
     let raw: Raw = serde_json::from_slice(&text).map_err(|error| syntax(path, &error))?;
     let major = |version: &str| version.split('.').next().map(str::to_owned);
     if major(&raw.schema_version) != major(SCHEMA_VERSION) {

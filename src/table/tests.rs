@@ -114,7 +114,8 @@ fn a_bad_cell_is_named_with_what_is_allowed() {
     let folder = Folder::new("bad-cell");
     let path = folder.file("rows.csv");
     for (column, bad) in [("density", "NaN"), ("density", "half"), ("rounds", "-1")] {
-        let row: Vec<_> = COLUMNS.iter().map(|name| if *name == column { bad } else { "" }).collect();
+        let row: Vec<_> =
+            COLUMNS.iter().map(|name| if *name == column { bad } else { "" }).collect();
         let good = ",".repeat(COLUMNS.len() - 1);
         fs::write(&path, format!("{}\n{good}\n{}\n", COLUMNS.join(","), row.join(","))).unwrap();
         let message = read_csv(&path).unwrap_err().to_string();

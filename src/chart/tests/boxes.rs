@@ -12,7 +12,10 @@ pub struct TextBox {
 
 impl TextBox {
     fn overlaps(&self, other: &TextBox) -> bool {
-        self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
     }
 }
 
@@ -28,7 +31,8 @@ pub fn check(svg: &str) {
     }
     let root = &svg[..svg.find('>').unwrap()];
     assert!(!root.contains("width=") && !root.contains("height="), "fixed size: {root}");
-    let view: Vec<f64> = attribute(root, "viewBox").unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
+    let view: Vec<f64> =
+        attribute(root, "viewBox").unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
     let boxes = texts(svg);
     assert!(!boxes.is_empty());
     for (index, one) in boxes.iter().enumerate() {
@@ -60,24 +64,31 @@ fn balanced(svg: &str) {
 
 /// The texts with their estimated boxes: 0.58 em a character, one em high.
 pub fn texts(svg: &str) -> Vec<TextBox> {
-    svg.split("<text ").skip(1).map(|part| {
-        let (tag, rest) = part.split_once('>').unwrap();
-        let tag = format!("<text {tag}");
-        let words = rest.split('<').next().unwrap().trim();
-        let words = words.replace("&apos;", "'").replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
-        let number = |name| attribute(&tag, name).unwrap().parse::<f64>().unwrap();
-        let (x, y, size) = (number("x"), number("y"), number("font-size"));
-        let (width, half) = (0.58 * size * words.chars().count() as f64, size / 2.0);
-        let left = match attribute(&tag, "text-anchor").unwrap() {
-            "start" => x,
-            "middle" => x - width / 2.0,
-            "end" => x - width,
-            other => panic!("anchor {other}"),
-        };
-        // Upright text would need its box turned; no figure has any.
-        assert!(!tag.contains("transform"));
-        TextBox { words, left, right: left + width, top: y - half, bottom: y + half }
-    }).collect()
+    svg.split("<text ")
+        .skip(1)
+        .map(|part| {
+            let (tag, rest) = part.split_once('>').unwrap();
+            let tag = format!("<text {tag}");
+            let words = rest.split('<').next().unwrap().trim();
+            let words = words
+                .replace("&apos;", "'")
+                .replace("&lt;", "<")
+                .replace("&gt;", ">")
+                .replace("&amp;", "&");
+            let number = |name| attribute(&tag, name).unwrap().parse::<f64>().unwrap();
+            let (x, y, size) = (number("x"), number("y"), number("font-size"));
+            let (width, half) = (0.58 * size * words.chars().count() as f64, size / 2.0);
+            let left = match attribute(&tag, "text-anchor").unwrap() {
+                "start" => x,
+                "middle" => x - width / 2.0,
+                "end" => x - width,
+                other => panic!("anchor {other}"),
+            };
+            // Upright text would need its box turned; no figure has any.
+            assert!(!tag.contains("transform"));
+            TextBox { words, left, right: left + width, top: y - half, bottom: y + half }
+        })
+        .collect()
 }
 
 /// An attribute's value.
