@@ -83,7 +83,7 @@ impl Axis {
 
     /// As many ticks as have room side by side on an axis of that length.
     pub fn ticks_within(&self, length: f64, size: f64) -> Vec<(f64, String)> {
-        let candidates = [8, 6, 5, 4, 3, 2, 1].map(|about| self.ticks(about));
+        let candidates = [6, 5, 4, 3, 2, 1].map(|about| self.ticks(about));
         candidates.into_iter().find(|ticks| self.fit(ticks, length, size)).unwrap_or_default()
     }
 

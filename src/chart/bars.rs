@@ -69,7 +69,7 @@ pub(super) fn draw(
     theirs.retain(|point| figure.scale == Scale::Linear || point.y > 0.0);
     let hidden = before - ours.len() - theirs.len();
     let plan = plan(figure, panels, ours, theirs)?;
-    let mut notes = vec![selection.source(), published_note(figure)];
+    let mut notes = vec![selection.source(), published_note(figure), selection.without(&figure.y)];
     if plan.ours.iter().any(|point| point.interval.is_some()) {
         notes.push("whiskers: intervals".to_owned());
     }
@@ -153,11 +153,9 @@ fn drawn(
 ) -> Result<String, ChartError> {
     let widths = Widths::new(figure, plan);
     let mut frame = Frame::new(figure, widths.panel(plan.panels.len().max(1)) + MARGIN);
-    let headings: Vec<_> = plan
-        .panels
-        .iter()
-        .map(|panel| heading(figure, panel, widths.plot + widths.value))
-        .collect();
+    let room = widths.plot + widths.value;
+    let headings = plan.panels.iter().map(|panel| heading(figure, panel, room));
+    let headings: Vec<_> = headings.collect();
     for (index, heading) in headings.iter().enumerate() {
         for (line, words) in heading.iter().enumerate() {
             let at = (widths.panel(index), frame.top + 9.0 + 17.0 * line as f64);
@@ -179,9 +177,7 @@ fn drawn(
         }
     }
     let mut under = bottom + 36.0;
-    for words in
-        text::wrap(y_title, SMALL, false, widths.plot * plan.panels.len() as f64 + widths.value)
-    {
+    for words in text::wrap(y_title, SMALL, false, room * plan.panels.len() as f64) {
         frame.canvas.text((widths.panel(0), under), &words, Type::new(SMALL, GREY));
         under += 16.0;
     }

@@ -47,21 +47,7 @@ pub(super) fn draw(
     let mut frame = Frame::new(figure, width);
     header(&mut frame, left);
     for line in &lines {
-        let y = frame.top + LINE / 2.0;
-        frame.canvas.text((MARGIN, y), &figure.label(&line.name), Type::new(SIZE, INK).bold());
-        for (index, (_, operation, _)) in OPERATIONS.iter().enumerate() {
-            let wanted = |point: &&Point| point.series == line.name && point.x == *operation;
-            let published = theirs.iter().find(wanted).map(|point| point.y);
-            cell(
-                &mut frame.canvas,
-                (left + CELL * (index as f64 + 0.5), y),
-                line.ours[index],
-                published,
-            );
-        }
-        frame.top += LINE;
-        let right = left + CELL * OPERATIONS.len() as f64;
-        frame.canvas.line(&[(MARGIN, frame.top), (right, frame.top)], FAINT, 1.0);
+        kernel_line(&mut frame, figure, line, &theirs, left);
     }
     let marks = if theirs.is_empty() { "" } else { "tick = the same, cross = not the same" };
     let notes = [
@@ -108,6 +94,25 @@ fn header(frame: &mut Frame, left: f64) {
     frame.top += 44.0;
     let right = left + CELL * OPERATIONS.len() as f64;
     frame.canvas.line(&[(MARGIN, frame.top), (right, frame.top)], LEADER, 1.2);
+}
+
+/// One kernel's line of the table.
+fn kernel_line(frame: &mut Frame, figure: &Figure, line: &Line, theirs: &[Point], left: f64) {
+    let y = frame.top + LINE / 2.0;
+    frame.canvas.text((MARGIN, y), &figure.label(&line.name), Type::new(SIZE, INK).bold());
+    for (index, (_, operation, _)) in OPERATIONS.iter().enumerate() {
+        let wanted = |point: &&Point| point.series == line.name && point.x == *operation;
+        let published = theirs.iter().find(wanted).map(|point| point.y);
+        cell(
+            &mut frame.canvas,
+            (left + CELL * (index as f64 + 0.5), y),
+            line.ours[index],
+            published,
+        );
+    }
+    frame.top += LINE;
+    let right = left + CELL * OPERATIONS.len() as f64;
+    frame.canvas.line(&[(MARGIN, frame.top), (right, frame.top)], FAINT, 1.0);
 }
 
 /// Our count, the mark, and the published count in grey.

@@ -178,7 +178,29 @@ impl Figure {
                 return Err(self.wrong("published.table", &beside.table, &tables.join(", ")));
             }
         }
+        self.validate_use()?;
         if self.kind == Kind::Counts { Ok(()) } else { self.validate_axes() }
+    }
+
+    /// Refuses a key that the kind of chart does not look at: it would be silently without effect.
+    fn validate_use(&self) -> Result<(), ChartError> {
+        use Kind::{Bars, Lines, Shares};
+        let uses: [(&'static str, bool, &[Kind]); 9] = [
+            ("x", !self.x.list().is_empty(), &[Lines, Bars, Shares]),
+            ("y", !self.y.is_empty(), &[Lines, Bars, Shares]),
+            ("y_below", self.y_below.is_some(), &[Shares]),
+            ("y_below_title", self.y_below_title.is_some(), &[Shares]),
+            ("panels", self.panels.is_some(), &[Lines, Bars]),
+            ("scale", self.scale == Scale::Log, &[Lines, Bars]),
+            ("x_scale", self.x_scale == Scale::Log, &[Lines]),
+            ("normalise_to", self.normalise_to.is_some(), &[Lines, Bars, Shares]),
+            ("reference", self.reference.is_some(), &[Lines, Bars]),
+        ];
+        let unused = uses.iter().find(|(_, set, kinds)| *set && !kinds.contains(&self.kind));
+        unused.map_or(Ok(()), |(key, _, kinds)| {
+            let kind = format!("kind {:?}", self.kind).to_lowercase();
+            Err(self.wrong(key, &kind, &format!("{key} with kind {kinds:?}").to_lowercase()))
+        })
     }
 
     fn validate_axes(&self) -> Result<(), ChartError> {

@@ -35,7 +35,9 @@ impl Frame {
 
     /// Text over the whole width, as many lines as it needs.
     pub fn paragraph(&mut self, words: &str, style: Type) {
-        for line in text::balanced(words, style.size, style.bold, self.width - 2.0 * MARGIN) {
+        let limit = self.width - 2.0 * MARGIN;
+        let broken = if style.bold { text::balanced } else { text::wrap };
+        for line in broken(words, style.size, style.bold, limit) {
             let height = style.size * 1.35;
             // A separator has nothing to part at the end of a line.
             let line = line.trim_end_matches(" ·");

@@ -47,14 +47,7 @@ pub(super) fn series_drawn(
     panel: &str,
     area: &Area,
 ) {
-    let of = |points: &[Point], name: &String| -> Vec<Point> {
-        let mine = points.iter().filter(|point| point.panel == panel && point.series == *name);
-        let mut mine: Vec<Point> = mine.cloned().collect();
-        mine.sort_by(|a, b| {
-            a.x_number().partial_cmp(&b.x_number()).unwrap_or(std::cmp::Ordering::Equal)
-        });
-        mine
-    };
+    let of = |points: &[Point], name: &String| in_order(points, panel, name);
     let places = |points: &[Point]| -> Vec<(f64, f64)> {
         points.iter().filter_map(|point| Some(area.at(plan, point.x_number()?, point.y))).collect()
     };
@@ -71,6 +64,7 @@ pub(super) fn series_drawn(
     for (index, name) in each() {
         frame.canvas.line(&places(&of(&plan.ours, name)), style(index).0, 1.7);
     }
+    // Markers of all series over the lines of all series.
     let mut ends = Vec::new();
     for (index, name) in each() {
         let (colour, shape) = style(index);
@@ -82,6 +76,16 @@ pub(super) fn series_drawn(
         }
     }
     end_labels(frame, figure, plan, panel, area, &ends);
+}
+
+/// The points of a series in a panel, from left to right.
+fn in_order(points: &[Point], panel: &str, series: &str) -> Vec<Point> {
+    let mine = points.iter().filter(|point| point.panel == panel && point.series == series);
+    let mut mine: Vec<Point> = mine.cloned().collect();
+    // A point without a place sorts last; it is not drawn.
+    let place = |point: &Point| point.x_number().unwrap_or(f64::INFINITY);
+    mine.sort_by(|a, b| place(a).total_cmp(&place(b)));
+    mine
 }
 
 fn band(frame: &mut Frame, plan: &Plan, area: &Area, points: &[Point], series: usize) {

@@ -39,7 +39,7 @@ pub(super) fn draw(
         Scale::Linear if !plan.y.has_zero() => " (the axis does not start at 0)",
         Scale::Linear => "",
     });
-    let mut notes = vec![selection.source(), published_note(figure)];
+    let mut notes = vec![selection.source(), published_note(figure), selection.without(&figure.y)];
     if plan.ours.iter().any(|point| point.interval.is_some()) {
         notes.push("bands: intervals".to_owned());
     }

@@ -88,6 +88,19 @@ impl<'a> Selection<'a> {
         parts.join(" · ")
     }
 
+    /// How many rows have no value in a column, and their status: a wrong answer has no time.
+    pub fn without(&self, column: &str) -> String {
+        let missing = |row: &&&Row| row.cell(column).and_then(Cell::number).is_none();
+        let rows: Vec<&&Row> = self.rows.iter().filter(missing).collect();
+        let status: BTreeSet<&str> = rows.iter().map(|row| row.status.as_str()).collect();
+        let status: Vec<&str> = status.into_iter().filter(|status| !status.is_empty()).collect();
+        match rows.len() {
+            0 => String::new(),
+            count if status.is_empty() => format!("rows without a value: {count}"),
+            count => format!("rows without a value: {count} ({})", status.join(", ")),
+        }
+    }
+
     fn distinct(&self, column: &str, before: &str, several: &str) -> String {
         let values: BTreeSet<String> = self.texts(column).collect();
         match values.len() {

@@ -14,7 +14,7 @@ use crate::table::Row;
 const HEIGHT: f64 = 190.0;
 const TICKS: usize = 5;
 const BAR_LIMIT: f64 = 46.0;
-const SLOT: f64 = 62.0;
+const SLOT: f64 = 66.0;
 const VALUE_SIZE: f64 = 11.0;
 
 /// One of the two charts.

@@ -101,7 +101,7 @@ fn json_comes_back_within_one_unit_in_the_last_place() {
 fn what_is_not_finite_is_written_as_missing() {
     let folder = Folder::new("finite");
     let bad = Row { ns_low: Some(f64::NAN), ns_high: Some(f64::INFINITY), ..Row::default() };
-    write_csv(&folder.file("rows.csv"), &[bad.clone()]).unwrap();
+    write_csv(&folder.file("rows.csv"), std::slice::from_ref(&bad)).unwrap();
     write_json(&folder.file("rows.json"), &run_file(vec![bad])).unwrap();
     assert_eq!(read_csv(&folder.file("rows.csv")).unwrap(), [Row::default()]);
     assert_eq!(read_json(&folder.file("rows.json")).unwrap().rows, [Row::default()]);

@@ -87,10 +87,12 @@ fn one_panel_with_magnitudes_apart_on_a_log_axis() {
         row.seconds = row.seconds.map(|seconds| seconds * factor);
     }
     rows[0].seconds = Some(0.0);
+    (rows[1].seconds, rows[1].status) = (None, "wrong-result".into());
     let svg = drawn(&figure, &rows);
     assert!(
         svg.contains("(log scale)")
             && svg.contains("values without a place on the axes, not drawn: 1")
+            && svg.contains("rows without a value: 1 (wrong-result)")
     );
 }
 
@@ -217,7 +219,7 @@ const CODES: &str = r#"
 "#;
 
 fn by_code(kernel: &str) -> Vec<Row> {
-    let shares = [0.1211, 0.318, 0.1213, 0.3181, 0.1214, 0.0001];
+    let shares = [0.1211, 0.3177, 0.1213, 0.3181, 0.1214, 0.0001];
     let times = [2.4, 1.5, 2.2, 1.6, 2.3, 1.1];
     (0..6)
         .map(|code| {
