@@ -96,3 +96,20 @@ pub fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
     let start = tag.find(&format!(" {name}=\""))? + name.len() + 3;
     tag[start..].split('"').next()
 }
+
+/// The checks above find what they look for.
+#[test]
+fn overlapping_and_cut_off_texts_are_found() {
+    let figure = super::figure("file = \"f\"\nkind = \"counts\"\nquestion = \"Why?\"");
+    let drawn = |places: &[(f64, f64)]| {
+        let mut frame = crate::chart::frame::Frame::new(&figure, 400.0);
+        let style = crate::chart::canvas::Type::new(12.0, crate::chart::palette::INK);
+        places.iter().for_each(|at| frame.canvas.text(*at, "words", style));
+        let svg = frame.close(&figure, 200.0, &[], "").unwrap();
+        std::panic::catch_unwind(|| check(&svg)).is_ok()
+    };
+    assert!(drawn(&[(50.0, 100.0), (50.0, 113.0), (90.0, 100.0)]));
+    assert!(!drawn(&[(50.0, 100.0), (50.0, 110.0)]));
+    assert!(!drawn(&[(50.0, 100.0), (80.0, 100.0)]));
+    assert!(!drawn(&[(380.0, 100.0)]));
+}
