@@ -1,5 +1,7 @@
 //! ray_test
 #![forbid(unsafe_code)]
+#[cfg(feature = "cli")]
+pub mod chart;
 pub mod job;
 pub mod batch;
 pub mod kernels;
@@ -10,3 +12,5 @@ pub mod registry;
 pub mod measure;
 pub mod stats;
 pub mod workload;
+#[cfg(feature = "cli")]
+pub mod table;

@@ -1,0 +1,265 @@
+//! The `[[figure]]` table of an experiment: what is drawn from its rows.
+
+use super::{ChartError, Published};
+use crate::table::{COLUMNS, Cell, Row};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// Which chart is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// One line per series over a numeric `x`, one panel per value of `panels`.
+    Lines,
+    /// Horizontal bars from zero, grouped by `x`, coloured by `series` (points on a log axis).
+    Bars,
+    /// Upright bars per category, and below them a second figure on the same categories.
+    Shares,
+    /// Operation counts of each series as a table, with the published ones beside them.
+    Counts,
+}
+
+/// How values are placed on the axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Scale {
+    /// Evenly.
+    #[default]
+    Linear,
+    /// By their logarithm; values that are not above zero are left out and counted in the footer.
+    Log,
+}
+
+/// One name, or a list of them.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum Names {
+    /// `x = "density"`
+    One(String),
+    /// `x = ["precision", "level"]`
+    Many(Vec<String>),
+}
+
+impl Default for Names {
+    fn default() -> Self {
+        Names::Many(Vec::new())
+    }
+}
+
+impl Names {
+    /// The names in their order.
+    pub fn list(&self) -> &[String] {
+        match self {
+            Names::One(name) => std::slice::from_ref(name),
+            Names::Many(names) => names,
+        }
+    }
+}
+
+/// A value that a filter lets through.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum Wanted {
+    /// Any of these.
+    Any(Vec<Wanted>),
+    /// This number.
+    Number(f64),
+    /// This word; `""` is an empty cell.
+    Word(String),
+}
+
+impl Wanted {
+    fn admits(&self, cell: Cell<'_>) -> bool {
+        match self {
+            Wanted::Any(values) => values.iter().any(|value| value.admits(cell)),
+            Wanted::Number(number) => cell.number() == Some(*number),
+            Wanted::Word(word) => cell.to_string() == *word,
+        }
+    }
+}
+
+/// Published figures to draw hollow beside ours.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Beside {
+    /// Table in the file of published figures, for instance `table_4_1`.
+    pub table: String,
+    /// Said of them in the footer, for instance the machine they were measured on.
+    #[serde(default)]
+    pub note: String,
+    /// The only panel that they belong in; all of them if it is not given.
+    pub panel: Option<String>,
+    /// The published name of a series to ours, where they differ: `{ moller = "moller1" }`.
+    #[serde(default)]
+    pub names: BTreeMap<String, String>,
+}
+
+/// One figure. Unknown keys are an error, so that a misspelt one is not silently without effect.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Figure {
+    /// File name without its ending: `b-4.1`.
+    pub file: String,
+    /// `lines`, `bars`, `shares` or `counts`.
+    pub kind: Kind,
+    /// The title: the question that the figure answers.
+    pub question: String,
+    /// What is drawn, its unit, the conditions.
+    #[serde(default)]
+    pub subtitle: String,
+    /// Column(s) of the horizontal axis (`lines`, one numeric column) or of the categories (`bars`,
+    /// `shares`). Not used by `counts`.
+    #[serde(default)]
+    pub x: Names,
+    /// Column of the figure drawn, numeric. Not used by `counts`.
+    #[serde(default)]
+    pub y: String,
+    /// `shares` only: column of the lower chart; without it there is no lower chart.
+    pub y_below: Option<String>,
+    /// Title of the x axis, if the column's own will not do.
+    pub x_title: Option<String>,
+    /// Title of the y axis with its unit, if the column's own will not do.
+    pub y_title: Option<String>,
+    /// `shares` only: title of the lower chart's axis.
+    pub y_below_title: Option<String>,
+    /// Column(s) whose joined values name the line or the bar; default `kernel`.
+    #[serde(default = "kernel")]
+    pub series: Names,
+    /// Column whose values make small multiples side by side. For `lines` and `bars`.
+    pub panels: Option<String>,
+    /// Column to value or list of values: only rows that match all are drawn.
+    #[serde(default)]
+    pub filter: BTreeMap<String, Wanted>,
+    /// Published figures, drawn hollow.
+    pub published: Option<Beside>,
+    /// `linear` (default) or `log`: the axis of `y`.
+    #[serde(default)]
+    pub scale: Scale,
+    /// `linear` (default) or `log`: the axis of `x`, for `lines`.
+    #[serde(default)]
+    pub x_scale: Scale,
+    /// `lines`, `bars`: divide each panel's values, and the published ones, by that of the series
+    /// named here at its first x, so that times of different machines share an axis. `shares`: the
+    /// category whose lower figure is 1.
+    pub normalise_to: Option<String>,
+    /// A value of y at which a line is drawn across, for instance 1 for ratios.
+    pub reference: Option<f64>,
+    /// Value as stored to the words shown for it, for series, panels and categories.
+    #[serde(default)]
+    pub labels: BTreeMap<String, String>,
+}
+
+fn kernel() -> Names {
+    Names::One("kernel".to_owned())
+}
+
+impl Figure {
+    /// Refuses what cannot be drawn whatever the rows are; names the key and what is allowed.
+    pub fn validate(&self, published: &Published) -> Result<(), ChartError> {
+        let safe = |c: char| c.is_ascii_alphanumeric() || "-._".contains(c);
+        if self.file.is_empty() || self.file.starts_with('.') || !self.file.chars().all(safe) {
+            return Err(self.wrong("file", &self.file, "letters, digits, '-', '_' and '.'"));
+        }
+        if self.question.trim().is_empty() {
+            return Err(self.wrong("question", "", "a question that the figure answers"));
+        }
+        for column in self.series.list() {
+            self.column("series", column)?;
+        }
+        for column in self.filter.keys() {
+            self.column("filter", column)?;
+        }
+        if let Some(column) = &self.panels {
+            self.column("panels", column)?;
+        }
+        if let Some(beside) = &self.published {
+            let tables = published.tables();
+            if !tables.contains(&beside.table.as_str()) {
+                return Err(self.wrong("published.table", &beside.table, &tables.join(", ")));
+            }
+        }
+        self.validate_use()?;
+        if self.kind == Kind::Counts { Ok(()) } else { self.validate_axes() }
+    }
+
+    /// Refuses a key that the kind of chart does not look at: it would be silently without effect.
+    fn validate_use(&self) -> Result<(), ChartError> {
+        use Kind::{Bars, Lines, Shares};
+        let uses: [(&'static str, bool, &[Kind]); 9] = [
+            ("x", !self.x.list().is_empty(), &[Lines, Bars, Shares]),
+            ("y", !self.y.is_empty(), &[Lines, Bars, Shares]),
+            ("y_below", self.y_below.is_some(), &[Shares]),
+            ("y_below_title", self.y_below_title.is_some(), &[Shares]),
+            ("panels", self.panels.is_some(), &[Lines, Bars]),
+            ("scale", self.scale == Scale::Log, &[Lines, Bars]),
+            ("x_scale", self.x_scale == Scale::Log, &[Lines]),
+            ("normalise_to", self.normalise_to.is_some(), &[Lines, Bars, Shares]),
+            ("reference", self.reference.is_some(), &[Lines, Bars]),
+        ];
+        let unused = uses.iter().find(|(_, set, kinds)| *set && !kinds.contains(&self.kind));
+        unused.map_or(Ok(()), |(key, _, kinds)| {
+            let kind = format!("kind {:?}", self.kind).to_lowercase();
+            Err(self.wrong(key, &kind, &format!("{key} with kind {kinds:?}").to_lowercase()))
+        })
+    }
+
+    fn validate_axes(&self) -> Result<(), ChartError> {
+        self.numeric_column("y", &self.y)?;
+        if let Some(column) = &self.y_below {
+            self.numeric_column("y_below", column)?;
+        }
+        if self.kind == Kind::Lines {
+            let [column] = self.x.list() else {
+                return Err(self.wrong(
+                    "x",
+                    &self.x.list().join(", "),
+                    "one numeric column for lines",
+                ));
+            };
+            return self.numeric_column("x", column);
+        }
+        if self.x.list().is_empty() {
+            return Err(self.wrong("x", "", "at least one column"));
+        }
+        self.x.list().iter().try_for_each(|column| self.column("x", column))
+    }
+
+    fn column(&self, key: &'static str, column: &str) -> Result<(), ChartError> {
+        if COLUMNS.contains(&column) {
+            Ok(())
+        } else {
+            Err(self.wrong(key, column, &COLUMNS.join(", ")))
+        }
+    }
+
+    fn numeric_column(&self, key: &'static str, column: &str) -> Result<(), ChartError> {
+        // A column that takes a word is not numeric.
+        let numeric = |column: &str| Row::default().set(column, "word").is_err();
+        if numeric(column) {
+            return Ok(());
+        }
+        let allowed: Vec<_> = COLUMNS.iter().copied().filter(|column| numeric(column)).collect();
+        Err(self.wrong(key, column, &allowed.join(", ")))
+    }
+
+    fn wrong(&self, key: &'static str, value: &str, allowed: &str) -> ChartError {
+        let (figure, value, allowed) = (self.file.clone(), value.to_owned(), allowed.to_owned());
+        ChartError::Wrong { figure, key, value, allowed }
+    }
+
+    /// Whether the filter lets a row through.
+    pub fn admits(&self, row: &Row) -> bool {
+        self.filter
+            .iter()
+            .all(|(column, wanted)| row.cell(column).is_some_and(|cell| wanted.admits(cell)))
+    }
+
+    /// The words shown for a stored value.
+    pub fn label(&self, value: &str) -> String {
+        self.labels.get(value).cloned().unwrap_or_else(|| {
+            let parts = value.split(" · ");
+            let shown = parts.map(|part| self.labels.get(part).map_or(part, String::as_str));
+            shown.collect::<Vec<_>>().join(" · ")
+        })
+    }
+}

@@ -1,0 +1,239 @@
+//! From rows to the points of a figure.
+
+use super::ChartError;
+use super::figure::{Figure, Names};
+use super::published::{Measure, Published};
+use crate::table::{COLUMNS, Cell, Row};
+use std::collections::BTreeSet;
+
+/// One value to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Point {
+    /// Which small multiple; empty if there is only one.
+    pub panel: String,
+    /// Which line or bar.
+    pub series: String,
+    /// Place along the x axis, or category, as text.
+    pub x: String,
+    /// The value.
+    pub y: f64,
+    /// Its interval.
+    pub interval: Option<(f64, f64)>,
+}
+
+impl Point {
+    /// `x` as a number, if it is one.
+    pub fn x_number(&self) -> Option<f64> {
+        self.x.parse().ok().filter(|x: &f64| x.is_finite())
+    }
+}
+
+/// The rows that a figure's filter lets through, and what is to be said of them.
+pub(super) struct Selection<'a> {
+    /// The rows.
+    pub rows: Vec<&'a Row>,
+}
+
+impl<'a> Selection<'a> {
+    /// The rows of a figure; it is an answer, not an error, that there are none.
+    pub fn new(figure: &Figure, rows: &'a [Row]) -> Result<Self, ChartError> {
+        let kept: Vec<&Row> = rows.iter().filter(|row| figure.admits(row)).collect();
+        if kept.is_empty() {
+            let reason = match rows.len() {
+                0 => "there are no rows".to_owned(),
+                count => format!("no row (of {count}) passes the figure's filter"),
+            };
+            return Err(ChartError::Nothing(reason));
+        }
+        Ok(Selection { rows: kept })
+    }
+
+    /// The points of a column. Rows without a value in it have no point.
+    pub fn points(&self, figure: &Figure, column: &str) -> Result<Vec<Point>, ChartError> {
+        let mut points: Vec<(Point, &Row)> = Vec::new();
+        for row in &self.rows {
+            let Some(y) = row.cell(column).and_then(Cell::number) else { continue };
+            let panel = figure.panels.as_deref().and_then(|panel| row.cell(panel));
+            let point = Point {
+                panel: panel.map_or(String::new(), |cell| cell.to_string()),
+                series: joined(row, &figure.series),
+                x: joined(row, &figure.x),
+                y,
+                interval: interval(row, column, y),
+            };
+            let same = |other: &&(Point, &Row)| {
+                (&other.0.panel, &other.0.series, &other.0.x)
+                    == (&point.panel, &point.series, &point.x)
+            };
+            if let Some((_, other)) = points.iter().find(same) {
+                return Err(ambiguous(figure, &point, other, row));
+            }
+            points.push((point, row));
+        }
+        if points.is_empty() {
+            let reason = format!("no row (of {}) has a value of {column}", self.rows.len());
+            return Err(ChartError::Nothing(reason));
+        }
+        Ok(points.into_iter().map(|(point, _)| point).collect())
+    }
+
+    /// Where the figures come from: experiment, number of rows, rounds, pairs, seed.
+    pub fn source(&self) -> String {
+        let mut parts = vec![self.distinct("experiment", "", "experiments")];
+        parts.push(format!("n = {} rows", self.rows.len()));
+        parts.push(self.span("rounds", "rounds"));
+        parts.push(self.span("triangles", "triangles"));
+        parts.push(self.distinct("seed", "seed ", "seeds"));
+        parts.retain(|part| !part.is_empty());
+        parts.join(" · ")
+    }
+
+    /// How many rows have no value in a column, and their status: a wrong answer has no time.
+    pub fn without(&self, column: &str) -> String {
+        let missing = |row: &&&Row| row.cell(column).and_then(Cell::number).is_none();
+        let rows: Vec<&&Row> = self.rows.iter().filter(missing).collect();
+        let status: BTreeSet<&str> = rows.iter().map(|row| row.status.as_str()).collect();
+        let status: Vec<&str> = status.into_iter().filter(|status| !status.is_empty()).collect();
+        match rows.len() {
+            0 => String::new(),
+            count if status.is_empty() => format!("rows without a value: {count}"),
+            count => format!("rows without a value: {count} ({})", status.join(", ")),
+        }
+    }
+
+    fn distinct(&self, column: &str, before: &str, several: &str) -> String {
+        let values: BTreeSet<String> = self.texts(column).collect();
+        match values.len() {
+            0 => String::new(),
+            1..=3 => format!("{before}{}", values.into_iter().collect::<Vec<_>>().join(", ")),
+            count => format!("{count} {several}"),
+        }
+    }
+
+    fn span(&self, column: &str, unit: &str) -> String {
+        let values: Vec<u64> = self.texts(column).filter_map(|text| text.parse().ok()).collect();
+        match (values.iter().min(), values.iter().max()) {
+            (Some(low), Some(high)) if low == high => format!("{low} {unit}"),
+            (Some(low), Some(high)) => format!("{low} to {high} {unit}"),
+            _ => String::new(),
+        }
+    }
+
+    fn texts(&self, column: &str) -> impl Iterator<Item = String> {
+        let cells = self.rows.iter().filter_map(move |row| row.cell(column));
+        cells.filter(|cell| *cell != Cell::Missing).map(|cell| cell.to_string())
+    }
+}
+
+/// The values of some columns as one name; empty cells leave no trace.
+pub(super) fn joined(row: &Row, columns: &Names) -> String {
+    let cells = columns.list().iter().filter_map(|column| row.cell(column));
+    let texts = cells.map(|cell| cell.to_string()).filter(|text| !text.is_empty());
+    texts.collect::<Vec<_>>().join(" · ")
+}
+
+/// The interval of a figure. Rows store that of the time and of the ratio; figures that are
+/// proportional to the time, or to its inverse, have the same one relatively.
+fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
+    let (low, high) = match column {
+        "ratio_to_reference" => (row.ratio_low?, row.ratio_high?),
+        "ns_per_test" => (row.ns_low?, row.ns_high?),
+        "seconds" | "cycles_per_test" => {
+            (y * row.ns_low? / row.ns_per_test?, y * row.ns_high? / row.ns_per_test?)
+        }
+        "mtests_per_s" => (y * row.ns_per_test? / row.ns_high?, y * row.ns_per_test? / row.ns_low?),
+        _ => return None,
+    };
+    (low.is_finite() && high.is_finite() && low <= high).then_some((low, high))
+}
+
+fn ambiguous(figure: &Figure, point: &Point, one: &Row, other: &Row) -> ChartError {
+    // Figures differ between any two rows; only what names a row can tell them apart.
+    const NAMING: [&str; 5] = ["density", "triangles", "code", "repeats", "seed"];
+    let names = |column: &&&str| {
+        let text = matches!(one.cell(column), Some(Cell::Text(_)))
+            || matches!(other.cell(column), Some(Cell::Text(_)));
+        (text && **column != "id") || NAMING.contains(*column)
+    };
+    let differing =
+        COLUMNS.iter().filter(names).filter(|column| one.cell(column) != other.cell(column));
+    let differing: Vec<_> = differing.copied().collect();
+    let place = [&point.panel, &point.series, &point.x].map(String::as_str);
+    let place = place.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ");
+    let differing = if differing.is_empty() {
+        "nothing: a row is there twice".to_owned()
+    } else {
+        differing.join(", ")
+    };
+    ChartError::Ambiguous { figure: figure.file.clone(), place, differing }
+}
+
+/// The published points of a figure, named as ours are and in every panel that they belong in.
+pub(super) fn published(
+    figure: &Figure,
+    published: &Published,
+    measure: Measure,
+    panels: &[String],
+) -> Vec<Point> {
+    let Some(beside) = &figure.published else { return Vec::new() };
+    let points = published.points(&beside.table, measure);
+    let belongs = |panel: &&String| beside.panel.as_ref().is_none_or(|only| only == *panel);
+    let in_panel = |panel: &String| {
+        points
+            .iter()
+            .map(|point| Point {
+                panel: panel.clone(),
+                series: beside.names.get(&point.series).unwrap_or(&point.series).clone(),
+                x: point.x.clone(),
+                y: point.y,
+                interval: None,
+            })
+            .collect::<Vec<_>>()
+    };
+    panels.iter().filter(belongs).flat_map(in_panel).collect()
+}
+
+/// Divides the points of each panel by that of series `base` at its first x: the smallest number,
+/// or the first category. Returns the name of that x.
+pub(super) fn normalise(points: &mut [Point], base: &str) -> Result<String, ChartError> {
+    let mut first_x = String::new();
+    for panel in distinct(points, |point| &point.panel) {
+        let candidates = points.iter().filter(|point| point.panel == panel && point.series == base);
+        let first = candidates.reduce(|first, next| match (first.x_number(), next.x_number()) {
+            (Some(a), Some(b)) if b < a => next,
+            _ => first,
+        });
+        let Some((unit, x)) = first.map(|point| (point.y, point.x.clone())) else {
+            return Err(ChartError::Nothing(format!("there is no value of {base} to divide by")));
+        };
+        if unit == 0.0 {
+            return Err(ChartError::Nothing(format!("the value of {base} to divide by is zero")));
+        }
+        points
+            .iter_mut()
+            .filter(|point| point.panel == panel)
+            .for_each(|point| scale(point, 1.0 / unit));
+        first_x = x;
+    }
+    Ok(first_x)
+}
+
+/// Multiplies a point and its interval.
+pub(super) fn scale(point: &mut Point, factor: f64) {
+    point.y *= factor;
+    point.interval = point.interval.map(|(low, high)| {
+        let (a, b) = (low * factor, high * factor);
+        (a.min(b), a.max(b))
+    });
+}
+
+/// The different values of a name, in the order in which they first appear.
+pub(super) fn distinct(points: &[Point], name: impl Fn(&Point) -> &String) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for point in points {
+        if !names.contains(name(point)) {
+            names.push(name(point).clone());
+        }
+    }
+    names
+}

@@ -1,0 +1,48 @@
+//! Writing a file wholly or not at all.
+
+use super::TableError;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Writes `bytes` to `path` so that a reader sees the old file or the new one, never a part:
+/// into a temporary file in the same folder (a rename is atomic only within one file system),
+/// synced to the disk, then renamed. On failure the temporary file is removed.
+pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), TableError> {
+    let failed = |source| TableError::Io { file: path.to_owned(), source };
+    let temporary = temporary_name(path).map_err(failed)?;
+    let written = write_synced(&temporary, bytes).and_then(|()| fs::rename(&temporary, path));
+    if written.is_err() {
+        // The first error is the one to report; that nothing was left to remove is no second one.
+        fs::remove_file(&temporary).ok();
+    }
+    written.map_err(failed)?;
+    sync_folder(path);
+    Ok(())
+}
+
+fn temporary_name(path: &Path) -> io::Result<PathBuf> {
+    static COUNTER: AtomicU64 = AtomicU64::new(0);
+    let name = path
+        .file_name()
+        .ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"))?;
+    let count = COUNTER.fetch_add(1, Ordering::Relaxed);
+    let unique = format!(".{}.{}-{count}.partial", name.to_string_lossy(), std::process::id());
+    Ok(path.with_file_name(unique))
+}
+
+fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+    file.write_all(bytes)?;
+    file.flush()?;
+    file.sync_all()
+}
+
+/// Makes the rename itself last through a power cut, where the system lets a folder be synced.
+fn sync_folder(path: &Path) {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    if let Ok(folder) = File::open(folder.unwrap_or(Path::new("."))) {
+        folder.sync_all().ok();
+    }
+}

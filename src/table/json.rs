@@ -1,0 +1,85 @@
+//! Rows, and what they were measured on, to and from JSON.
+
+use super::{COLUMNS, REQUIRED, Row, TableError, write_atomically};
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+use std::path::Path;
+
+/// Version of the form of `rows.json`. A larger first number means that old readers cannot read it.
+pub const SCHEMA_VERSION: &str = "1.0";
+
+/// Everything in `rows.json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RunFile {
+    /// Version of the form, [`SCHEMA_VERSION`] when written by this program.
+    pub schema_version: String,
+    /// The machine, the compiler, the versions.
+    pub environment: Value,
+    /// Seed that the workloads were drawn with.
+    pub seed: u64,
+    /// Hash of the workloads.
+    pub workload_hash: String,
+    /// The rows, the same as in `rows.csv`.
+    pub rows: Vec<Row>,
+}
+
+/// A run file before its rows are looked at, so that each bad cell can be named.
+#[derive(Deserialize)]
+struct Raw {
+    schema_version: String,
+    #[serde(default)]
+    environment: Value,
+    seed: u64,
+    workload_hash: String,
+    rows: Vec<Map<String, Value>>,
+}
+
+/// Writes a run file.
+pub fn write_json(path: &Path, run: &RunFile) -> Result<(), TableError> {
+    let mut bytes = serde_json::to_vec_pretty(run).map_err(|error| syntax(path, &error))?;
+    bytes.push(b'\n');
+    write_atomically(path, &bytes)
+}
+
+/// Reads a run file; names the row and the column of what is wrong, and what is allowed there.
+pub fn read_json(path: &Path) -> Result<RunFile, TableError> {
+    let text =
+        std::fs::read(path).map_err(|source| TableError::Io { file: path.to_owned(), source })?;
+    let raw: Raw = serde_json::from_slice(&text).map_err(|error| syntax(path, &error))?;
+    let major = |version: &str| version.split('.').next().map(str::to_owned);
+    if major(&raw.schema_version) != major(SCHEMA_VERSION) {
+        let (file, found) = (path.to_owned(), raw.schema_version);
+        return Err(TableError::Schema { file, found, allowed: SCHEMA_VERSION });
+    }
+    let rows = raw.rows.iter().enumerate().map(|(index, cells)| row(path, index + 1, cells));
+    Ok(RunFile {
+        rows: rows.collect::<Result<_, _>>()?,
+        schema_version: raw.schema_version,
+        environment: raw.environment,
+        seed: raw.seed,
+        workload_hash: raw.workload_hash,
+    })
+}
+
+fn row(path: &Path, number: usize, cells: &Map<String, Value>) -> Result<Row, TableError> {
+    if let Some(column) = COLUMNS[..REQUIRED].iter().find(|column| !cells.contains_key(**column)) {
+        return Err(TableError::MissingColumn { file: path.to_owned(), column });
+    }
+    let mut row = Row::default();
+    for (column, value) in cells {
+        let text = match value {
+            Value::Null => continue,
+            Value::String(text) => text.clone(),
+            other => other.to_string(),
+        };
+        row.set(column, &text).map_err(|allowed| {
+            TableError::cell(path, format!("row {number}"), column, &text, allowed)
+        })?;
+    }
+    Ok(row)
+}
+
+fn syntax(path: &Path, error: &serde_json::Error) -> TableError {
+    let (file, line) = (path.to_owned(), error.line() as u64);
+    TableError::Syntax { file, line, message: error.to_string() }
+}

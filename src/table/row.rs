@@ -1,0 +1,187 @@
+//! One row: one variant on one workload cell, every axis a column, then figures.
+
+use super::cell::{Cell, Field};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+
+/// Declares [`Row`], its header and its access by column name from one list, so that the order in
+/// the file, the names and the fields cannot drift apart.
+macro_rules! columns {
+    ($($(#[$doc:meta])* $name:ident: $kind:ty,)*) => {
+        /// One line of `rows.csv`. An empty string and `None` are missing values.
+        #[derive(Clone, Debug, Default, PartialEq)]
+        pub struct Row { $($(#[$doc])* pub $name: $kind,)* }
+
+        /// Every column, in the order of the file.
+        pub const COLUMNS: &[&str] = &[$(stringify!($name)),*];
+
+        impl Row {
+            /// The value in a column; `None` if there is no such column.
+            pub fn cell(&self, column: &str) -> Option<Cell<'_>> {
+                match column {
+                    $(stringify!($name) => Some(self.$name.cell()),)*
+                    _ => None,
+                }
+            }
+
+            /// Puts a value into a column from its text; the error says what is allowed there.
+            /// A column that this version does not know is ignored: a later version may.
+            pub fn set(&mut self, column: &str, text: &str) -> Result<(), &'static str> {
+                match column {
+                    $(stringify!($name) => self.$name = Field::parse(text)?,)*
+                    _ => {}
+                }
+                Ok(())
+            }
+        }
+    };
+}
+
+/// How many of [`COLUMNS`] the contract asks for; a file without one of them is refused.
+pub const REQUIRED: usize = 48;
+
+columns! {
+    /// Experiment id.
+    experiment: String,
+    /// Kernel id, or the word given in the thesis form.
+    kernel: String,
+    /// `f32` or `f64`.
+    precision: String,
+    /// `single`, `packet8`, ...
+    drive: String,
+    /// Instruction-set level.
+    level: String,
+    /// `early` or `full`.
+    exit: String,
+    /// `first` or `last`.
+    division: String,
+    /// `plain` or `fused`.
+    rounding: String,
+    /// `hit`, `t`, `tuv` or `surface`.
+    output: String,
+    /// `aos`, `soa` or `aosoa`.
+    layout: String,
+    /// Starts with `pairs`, `nearest`, `scene` or the family's name.
+    workload: String,
+    /// `literal`, `fixed` or `reshuffled`.
+    order: String,
+    /// Share of the pairs that hit, as effective.
+    density: Option<f64>,
+    /// Triangles in the workload.
+    triangles: Option<u64>,
+    /// Rays in the workload.
+    rays: Option<u64>,
+    /// Ray-triangle tests of one pass.
+    tests: Option<u64>,
+    /// Hits among them (rays with a hit, for nearest-hit work).
+    hits: Option<u64>,
+    /// `ok`, `wrong-result`, `skipped`, ...
+    status: String,
+    /// Median time of a test.
+    ns_per_test: Option<f64>,
+    /// Lower end of its interval.
+    ns_low: Option<f64>,
+    /// Upper end of its interval.
+    ns_high: Option<f64>,
+    /// Fastest block.
+    min_ns: Option<f64>,
+    /// Million tests a second.
+    mtests_per_s: Option<f64>,
+    /// Processor cycles of a test.
+    cycles_per_test: Option<f64>,
+    /// Rounds measured.
+    rounds: Option<u64>,
+    /// Rounds thrown away as disturbed.
+    dirty_rounds: Option<u64>,
+    /// Time over the reference's, paired.
+    ratio_to_reference: Option<f64>,
+    /// Lower end of its interval.
+    ratio_low: Option<f64>,
+    /// Upper end of its interval.
+    ratio_high: Option<f64>,
+    /// Instructions of a test.
+    instructions_per_test: Option<f64>,
+    /// Mispredicted branches of a test.
+    mispredicts_per_test: Option<f64>,
+    /// Bytes stored for a triangle.
+    bytes_per_triangle: Option<u64>,
+    /// Additions.
+    ops_add: Option<u64>,
+    /// Subtractions.
+    ops_sub: Option<u64>,
+    /// Changes of sign.
+    ops_neg: Option<u64>,
+    /// Multiplications.
+    ops_mul: Option<u64>,
+    /// Divisions.
+    ops_div: Option<u64>,
+    /// Conditions.
+    ops_condition: Option<u64>,
+    /// Return code that the row is about.
+    code: Option<u64>,
+    /// Hits where the exact answer is a miss.
+    false_hits: Option<u64>,
+    /// Misses where the exact answer is a hit.
+    false_misses: Option<u64>,
+    /// Answers with a NaN in them.
+    nan_outputs: Option<u64>,
+    /// Mean relative error of t.
+    err_t_mean_rel: Option<f64>,
+    /// 99.9th percentile of the error of t, in units in the last place.
+    err_t_p999_ulp: Option<f64>,
+    /// Largest error of t, in units in the last place.
+    err_t_max_ulp: Option<f64>,
+    /// Largest error of u.
+    err_u_max_abs: Option<f64>,
+    /// Largest error of v.
+    err_v_max_abs: Option<f64>,
+    /// Seed of the workload.
+    seed: Option<u64>,
+    /// The variant's id: its axes joined by slashes.
+    id: String,
+    /// What is stored per triangle, where that is off its default.
+    stored: String,
+    /// `on` where back faces are culled.
+    cull: String,
+    /// `sign-bits` where the inside tests look at sign bits (the axis `tests`).
+    tests_form: String,
+    /// Which test comes first: `distance` or `inside`.
+    leading: String,
+    /// `ray`, `segment`, `line` or `point`.
+    query: String,
+    /// Which way round the triangles are.
+    winding: String,
+    /// Random generator of the workload.
+    generator: String,
+    /// Build of the program: target and optimisation level.
+    build: String,
+    /// Why the status is not `ok`.
+    reason: String,
+    /// Share of the calls that end with `code`.
+    share: Option<f64>,
+    /// Repeats of each test, where the thesis's loop is run.
+    repeats: Option<u64>,
+    /// Time of tests x repeats.
+    seconds: Option<f64>,
+    /// (Mean of the kernel's row) / (smallest such mean) - 1, in percent.
+    percent_slower: Option<f64>,
+    /// What a piece of the test costs: the figure with it less the figure without.
+    price: Option<f64>,
+    /// `ratio_to_reference` of the first half of the rounds alone.
+    ratio_first_half: Option<f64>,
+    /// `ratio_to_reference` of the second half of the rounds alone.
+    ratio_second_half: Option<f64>,
+    /// Ratio of the placebo to the reference: what this machine calls a difference.
+    ratio_placebo: Option<f64>,
+    /// Hash of the workload, so that figures of different inputs are not compared.
+    workload_hash: String,
+}
+
+impl Serialize for Row {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(COLUMNS.len()))?;
+        for column in COLUMNS {
+            map.serialize_entry(column, &self.cell(column))?;
+        }
+        map.end()
+    }
+}
