@@ -1,4 +1,5 @@
 //! ray_test
 #![forbid(unsafe_code)]
 pub mod job;
+pub mod oracle;
 pub mod workload;
