@@ -62,8 +62,9 @@ impl<const N: usize> Grid<N> {
 
     fn vector<I: Integer>(&self, index: usize) -> [I; 3] {
         self.vectors[index].map(|d| {
-            // Zeros carry exponent 0, which may lie below the unit; they need no shift.
-            I::scaled(d.mantissa, u32::try_from(d.exponent - self.exponent).unwrap_or(0))
+            // A zero has no exponent of its own to be shifted by.
+            let shift = if d.mantissa == 0 { 0 } else { d.exponent - self.exponent };
+            I::scaled(d.mantissa, u32::try_from(shift).unwrap_or(0))
         })
     }
 }

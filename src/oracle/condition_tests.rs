@@ -165,7 +165,7 @@ fn the_range_of_t_is_judged_by_its_own_condition() {
     assert!(!excused(&near(1.0 - 34.0 * F32), F32, true));
     assert!(excused(&near(1.0 + 31.0 * F32), F32, false));
     assert!(!excused(&near(1.0 + 34.0 * F32), F32, false));
-    assert_eq!(excused(&near(f64::INFINITY), F32, false), false);
+    assert!(!excused(&near(f64::INFINITY), F32, false));
 }
 
 #[test]

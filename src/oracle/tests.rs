@@ -130,18 +130,18 @@ fn lattice_segment(pcg: &mut Pcg) -> Query {
 }
 
 const DRAWS: [(&str, Draw, usize); 12] = [
-    ("cube", cube, 3000),
-    ("cube_f32", cube_f32, 3000),
-    ("lattice", lattice, 20_000),
-    ("stretched", stretched_lattice, 5000),
-    ("any", any, 1500),
-    ("any_f32", any_f32, 1500),
-    ("subnormal", subnormal, 1500),
-    ("mixed", mixed, 2000),
-    ("nudged", nudged, 10_000),
-    ("segment", segment, 2000),
-    ("lattice_segment", lattice_segment, 5000),
-    ("far bounds", far_bounds, 2000),
+    ("cube", cube, 1000),
+    ("cube_f32", cube_f32, 1000),
+    ("lattice", lattice, 5000),
+    ("stretched", stretched_lattice, 3000),
+    ("any", any, 600),
+    ("any_f32", any_f32, 600),
+    ("subnormal", subnormal, 1000),
+    ("mixed", mixed, 1000),
+    ("nudged", nudged, 3000),
+    ("segment", segment, 1000),
+    ("lattice_segment", lattice_segment, 2000),
+    ("far bounds", far_bounds, 1000),
 ];
 
 /// Bounds beyond what the filter can multiply, and infinite ones.
@@ -209,7 +209,7 @@ fn each_stage_is_used_and_agrees_with_the_next() {
     let (mut filtered, mut small, mut big) = (0, 0, 0);
     for (name, draw, number) in DRAWS {
         let mut pcg = Pcg::new(number as u64 + 1);
-        for _ in 0..number {
+        for _ in 0..3 * number {
             let query = draw(&mut pcg);
             let aligned = Aligned::of(&query);
             let exact = Numerators::<IBig>::of(&aligned);

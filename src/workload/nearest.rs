@@ -130,7 +130,8 @@ fn nearest_is_settled(ray: &Ray, triangles: &[Triangle]) -> bool {
         rivals.push(standing);
     }
     // The nearest itself is one of those that could be. A t that is not finite always could be.
-    let possible = rivals.iter().filter(|rival| !(rival.t - rival.doubt > nearest)).count();
+    let is_behind = |rival: &&Standing| rival.t - rival.doubt > nearest;
+    let possible = rivals.len() - rivals.iter().filter(is_behind).count();
     possible == usize::from(nearest.is_finite())
 }
 
