@@ -116,10 +116,9 @@ impl Filtered {
         if (above.is_negative() && certain(t_min)) || (below.is_negative() && certain(t_max)) {
             return Some(Class::Behind);
         }
-        // The nearer stand-in of a far bound is only good for being inside it.
-        let low = above.is_positive() && t_min <= LARGEST_BOUND;
-        let high = below.is_positive() && t_max >= -LARGEST_BOUND;
-        (low && high).then_some(Class::Interior)
+        // A stand-in nearer than the bound is good for being inside; and no t is certainly above
+        // 2^200 in place of a farther t_min and certainly below it in place of a farther t_max.
+        (above.is_positive() && below.is_positive()).then_some(Class::Interior)
     }
 
     /// `t - bound`, times det.

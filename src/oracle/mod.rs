@@ -30,6 +30,8 @@ mod query;
 mod ratio;
 
 #[cfg(test)]
+mod draws;
+#[cfg(test)]
 mod reference;
 #[cfg(test)]
 mod tests;

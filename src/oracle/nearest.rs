@@ -113,6 +113,34 @@ mod tests {
     }
 
     #[test]
+    fn exact_ties_that_f64_rounds_apart_go_to_the_lowest() {
+        let mut pcg = Pcg::new(2);
+        let mut rounded_apart = 0;
+        for _ in 0..300 {
+            // Whole numbers of 20 bits: determinants of 60 bits, but every sum here is exact.
+            let mut step = || (pcg.below(1 << 20) as f32) - (1 << 19) as f32;
+            let mut vector = || Vec3::new(step(), step(), step());
+            let (origin, direction) = (vector(), vector());
+            let point = origin + direction * 2.0;
+            let triangles: Vec<Triangle> = (0..4)
+                .map(|_| {
+                    // The point is a quarter of the way to b and half of it to c.
+                    let (x, y) = (vector(), vector());
+                    let a = point - x - y;
+                    Triangle { a, b: a + x * 4.0, c: a + y * 2.0 }
+                })
+                .collect();
+            let ray = Ray { origin, direction, end: point, t_min: 0.0, t_max: f32::MAX };
+            let (index, exact) = nearest(&ray, &triangles).unwrap();
+            assert_eq!((index, exact.t, exact.u, exact.v), (0, 2.0, 0.25, 0.5));
+            let rounded = |triangle| Filtered::of(&Query::of(&ray, triangle)).unwrap().distance().0;
+            let first = rounded(&triangles[0]);
+            rounded_apart += usize::from(triangles.iter().any(|t| rounded(t) < first));
+        }
+        assert!(rounded_apart > 30, "{rounded_apart}");
+    }
+
+    #[test]
     fn distances_that_f64_cannot_tell_apart_are_told_apart() {
         // Two planes across the ray, the smallest subnormal apart, seen from 2^30.
         let far = (1u32 << 30) as f32;

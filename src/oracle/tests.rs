@@ -1,4 +1,7 @@
 use super::aligned::Aligned;
+use super::draws::{
+    DRAWS, Draw, coordinates, cube, lattice, lattice_segment, query, stretched_lattice, subnormal,
+};
 use super::exact::classify_in_integers;
 use super::filter::Filtered;
 use super::numerators::Numerators;
@@ -6,151 +9,6 @@ use super::reference::{is_nearest, is_sum, reference};
 use super::*;
 use crate::workload::Pcg;
 use dashu_int::IBig;
-
-/// Shape of the random queries of one test.
-type Draw = fn(&mut Pcg) -> Query;
-
-fn query(p: [[f64; 3]; 5], t_min: f64, t_max: f64) -> Query {
-    let [origin, direction, a, b, c] = p;
-    Query { origin, direction, end: None, triangle: [a, b, c], t_min, t_max }
-}
-
-fn coordinates(mut next: impl FnMut() -> f64) -> [[f64; 3]; 5] {
-    std::array::from_fn(|_| std::array::from_fn(|_| next()))
-}
-
-/// Uniform in the cube of side 2: f64 coordinates.
-fn cube(pcg: &mut Pcg) -> Query {
-    let p = coordinates(|| 2.0 * pcg.unit_f64() - 1.0);
-    query(p, 0.0, f64::INFINITY)
-}
-
-/// The same rounded to f32, for a line.
-fn cube_f32(pcg: &mut Pcg) -> Query {
-    let p = coordinates(|| f64::from((2.0 * pcg.unit_f64() - 1.0) as f32));
-    query(p, f64::from(-f32::MAX), f64::from(f32::MAX))
-}
-
-/// Whole numbers from -2 to 2 and t from 0 to 2: every class is common.
-fn lattice(pcg: &mut Pcg) -> Query {
-    let p = coordinates(|| pcg.below(5) as f64 - 2.0);
-    query(p, 0.0, 2.0)
-}
-
-/// A lattice whose axes are stretched by powers of two from 2^-1074 on: every class, and the whole
-/// range of exponents down to the subnormals.
-fn stretched_lattice(pcg: &mut Pcg) -> Query {
-    let mut q = lattice(pcg);
-    for axis in 0..3 {
-        let power = pcg.below(2090) as i32 - 1074;
-        let stretch = |x: &mut f64| *x = times_power(*x, power);
-        stretch(&mut q.origin[axis]);
-        stretch(&mut q.direction[axis]);
-        for vertex in &mut q.triangle {
-            stretch(&mut vertex[axis]);
-        }
-    }
-    q
-}
-
-fn times_power(x: f64, power: i32) -> f64 {
-    // Two exact steps for small whole x.
-    x * 2f64.powi(power / 2) * 2f64.powi(power - power / 2)
-}
-
-/// Any bits that are finite, f64.
-fn any(pcg: &mut Pcg) -> Query {
-    let p = coordinates(|| finite(pcg));
-    let mut bounds = [finite(pcg), finite(pcg)];
-    bounds.sort_by(f64::total_cmp);
-    query(p, bounds[0], bounds[1])
-}
-
-fn finite(pcg: &mut Pcg) -> f64 {
-    loop {
-        let x = f64::from_bits(pcg.bits());
-        if x.is_finite() {
-            return x;
-        }
-    }
-}
-
-/// Any bits that are finite, f32, widened.
-fn any_f32(pcg: &mut Pcg) -> Query {
-    let mut next = || loop {
-        let x = f32::from_bits(pcg.bits() as u32);
-        if x.is_finite() {
-            return f64::from(x);
-        }
-    };
-    query(coordinates(&mut next), next(), f64::from(f32::MAX))
-}
-
-/// Subnormal f64 only.
-fn subnormal(pcg: &mut Pcg) -> Query {
-    let p = coordinates(|| {
-        let size = f64::from_bits(pcg.bits() >> (12 + pcg.below(50)));
-        if pcg.below(2) == 0 { size } else { -size }
-    });
-    query(p, 0.0, f64::MAX)
-}
-
-/// Coordinates of magnitudes 10^-8 to 10^8.
-fn mixed(pcg: &mut Pcg) -> Query {
-    let p = coordinates(|| times_power(2.0 * pcg.unit_f64() - 1.0, pcg.below(54) as i32 - 27));
-    query(p, 0.0, f64::MAX)
-}
-
-/// A lattice far from the origin, nudged by an ulp here and there: near-boundary cases.
-fn nudged(pcg: &mut Pcg) -> Query {
-    let mut q = lattice(pcg);
-    let mut nudge = |x: &mut f64| match pcg.below(6) {
-        0 => *x = x.next_up(),
-        1 => *x = x.next_down(),
-        _ => {}
-    };
-    q.origin.iter_mut().for_each(&mut nudge);
-    q.direction.iter_mut().for_each(&mut nudge);
-    q.triangle.iter_mut().flatten().for_each(&mut nudge);
-    q
-}
-
-/// A segment between two random points of the f32 cube, at magnitudes that differ.
-fn segment(pcg: &mut Pcg) -> Query {
-    let far = times_power(1.0, pcg.below(60) as i32);
-    let [origin, end, a, b, c] = coordinates(|| f64::from((2.0 * pcg.unit_f64() - 1.0) as f32));
-    let end = [end[0] * far, end[1], end[2] / far];
-    Query::segment(origin, end, [a, b, c])
-}
-
-/// A segment between lattice points.
-fn lattice_segment(pcg: &mut Pcg) -> Query {
-    let [origin, end, a, b, c] = coordinates(|| pcg.below(5) as f64 - 2.0);
-    Query::segment(origin, end, [a, b, c])
-}
-
-const DRAWS: [(&str, Draw, usize); 12] = [
-    ("cube", cube, 1000),
-    ("cube_f32", cube_f32, 1000),
-    ("lattice", lattice, 5000),
-    ("stretched", stretched_lattice, 3000),
-    ("any", any, 600),
-    ("any_f32", any_f32, 600),
-    ("subnormal", subnormal, 1000),
-    ("mixed", mixed, 1000),
-    ("nudged", nudged, 3000),
-    ("segment", segment, 1000),
-    ("lattice_segment", lattice_segment, 2000),
-    ("far bounds", far_bounds, 1000),
-];
-
-/// Bounds beyond what the filter can multiply, and infinite ones.
-fn far_bounds(pcg: &mut Pcg) -> Query {
-    let bounds = [0.0, f64::MAX, -f64::MAX, f64::INFINITY, f64::NEG_INFINITY, 1e70, -1e70];
-    let mut pick = || bounds[pcg.below(7) as usize];
-    let (t_min, t_max) = (pick(), pick());
-    Query { t_min, t_max, ..cube(pcg) }
-}
 
 fn counts(draw: Draw, number: usize) -> [usize; 7] {
     let mut pcg = Pcg::new(number as u64);
@@ -199,7 +57,6 @@ fn the_draws_hold_what_they_are_for() {
     ];
     for (draw, number, floor) in floors {
         let found = counts(draw, number);
-        println!("{found:?}");
         assert!(found.iter().zip(floor).all(|(found, floor)| *found >= floor), "{found:?}");
     }
 }
@@ -230,7 +87,6 @@ fn each_stage_is_used_and_agrees_with_the_next() {
             }
         }
     }
-    println!("filtered {filtered}, in i128 {small}, in big integers {big}");
     assert!(filtered > 10_000 && small > 20_000 && big > 5000);
 }
 
