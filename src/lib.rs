@@ -11,6 +11,7 @@ pub mod policy;
 pub mod registry;
 pub mod measure;
 pub mod stats;
+pub mod oracle;
 pub mod workload;
 #[cfg(feature = "cli")]
 pub mod table;
