@@ -1,17 +1,20 @@
 //! ray_test
 #![forbid(unsafe_code)]
+
+pub mod batch;
 #[cfg(feature = "cli")]
 pub mod chart;
+#[cfg(feature = "cli")]
+pub mod experiment;
 pub mod job;
-pub mod batch;
 pub mod kernels;
 pub mod level;
+pub mod measure;
 pub mod number;
+pub mod oracle;
 pub mod policy;
 pub mod registry;
-pub mod measure;
 pub mod stats;
-pub mod oracle;
-pub mod workload;
 #[cfg(feature = "cli")]
 pub mod table;
+pub mod workload;

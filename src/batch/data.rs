@@ -44,11 +44,7 @@ pub struct PairsJob<E, T> {
 
 impl<E: Element, T: Copy> PairsJob<E, T> {
     /// A job over `pairs`; `code` gives the exit of one test, for answers only.
-    pub fn new(
-        pairs: Vec<(Ray<E>, T)>,
-        run: PairsLoop<E, T>,
-        code: fn(&Ray<E>, &T) -> u8,
-    ) -> Self {
+    pub fn new(pairs: Vec<(Ray<E>, T)>, run: PairsLoop<E, T>, code: fn(&Ray<E>, &T) -> u8) -> Self {
         PairsJob { laid_out: pairs.clone(), original: pairs, run, code }
     }
 }
@@ -67,7 +63,8 @@ impl<E: Element, T: Copy> Job for PairsJob<E, T> {
         let pairs = self.laid_out.as_slice();
         if block.literal {
             for first in block.first..block.first + block.items {
-                tally = tally.plus((self.run)(Walk { pairs, first, step: 0, count: block.repeats }));
+                tally =
+                    tally.plus((self.run)(Walk { pairs, first, step: 0, count: block.repeats }));
             }
         } else {
             for _ in 0..block.repeats {

@@ -10,9 +10,9 @@
 
 use super::perpendicular_planes::point_on;
 use super::{About, Corners, Kernel, PointTest};
+use crate::kernels::stored::plain_dot;
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Found, Miss, Policy, Ray, Scale};
-use crate::kernels::stored::plain_dot;
 
 /// See the module's text. Its lanes are computed one by one.
 pub struct AngleSum;
@@ -68,7 +68,10 @@ impl Kernel for AngleSum {
 
 impl PointTest for AngleSum {
     #[inline(always)]
-    fn contains<P: Policy, R: Real>(point: &Vec3<R>, tri: &Met<R>) -> Result<(R::Mask, R, R), Miss> {
+    fn contains<P: Policy, R: Real>(
+        point: &Vec3<R>,
+        tri: &Met<R>,
+    ) -> Result<(R::Mask, R, R), Miss> {
         let hit = P::keep(surrounded(point, &tri.corners), 3)?;
         Ok((hit, point.x().zero(), point.x().zero()))
     }

@@ -98,7 +98,10 @@ impl Kernel for BadouelCramer {
 
 impl PointTest for BadouelCramer {
     #[inline(always)]
-    fn contains<P: Policy, R: Real>(point: &Vec3<R>, tri: &Met<R>) -> Result<(R::Mask, R, R), Miss> {
+    fn contains<P: Policy, R: Real>(
+        point: &Vec3<R>,
+        tri: &Met<R>,
+    ) -> Result<(R::Mask, R, R), Miss> {
         let (u, v) = (tri.w.next(), tri.w.next().next());
         let one = Scale { factor: tri.nd.one(), one: tri.nd.one() };
         let q = [u.pick(point) - tri.a[0], v.pick(point) - tri.a[1]];

@@ -43,10 +43,7 @@ impl Kernel for HalfSpaces {
     #[inline(always)]
     fn meet<P: Policy, R: Real>(token: R::Token, tri: &Corners<R::Element>) -> Met<R> {
         let (e1, e2) = tri.edges();
-        Met {
-            corners: Corners::splat(token, tri),
-            n: Vec3::splat(token, P::cross(e1, e2)),
-        }
+        Met { corners: Corners::splat(token, tri), n: Vec3::splat(token, P::cross(e1, e2)) }
     }
 
     #[inline(always)]
@@ -66,7 +63,10 @@ impl Kernel for HalfSpaces {
 
 impl PointTest for HalfSpaces {
     #[inline(always)]
-    fn contains<P: Policy, R: Real>(point: &Vec3<R>, tri: &Met<R>) -> Result<(R::Mask, R, R), Miss> {
+    fn contains<P: Policy, R: Real>(
+        point: &Vec3<R>,
+        tri: &Met<R>,
+    ) -> Result<(R::Mask, R, R), Miss> {
         let Corners { a, b, c } = tri.corners;
         let sides = [
             height::<P, R>(tri.n, b, c, *point),

@@ -74,9 +74,13 @@ impl<S: Stored> Kernel for Keidy<S> {
 
 impl<S: Stored> PointTest for Keidy<S> {
     #[inline(always)]
-    fn contains<P: Policy, R: Real>(point: &Vec3<R>, tri: &Frame<R>) -> Result<(R::Mask, R, R), Miss> {
+    fn contains<P: Policy, R: Real>(
+        point: &Vec3<R>,
+        tri: &Frame<R>,
+    ) -> Result<(R::Mask, R, R), Miss> {
         let one = tri.a.x().one();
-        let (inside, [x, y], scale) = contains::<P, R>(*point - tri.a, tri, Scale { factor: one, one });
+        let (inside, [x, y], scale) =
+            contains::<P, R>(*point - tri.a, tri, Scale { factor: one, one });
         let hit = P::keep(inside, 3)?;
         let inverse = P::Division::inverse(scale);
         Ok((hit, P::Division::resolve(x, inverse), P::Division::resolve(y, inverse)))
@@ -102,7 +106,8 @@ fn contains<P: Policy, R: Real>(
         // The text has a positive g and a point that is not scaled; `signed_by` undoes the scale.
         let z = x + y - both.one;
         let sign = both.one;
-        z.signed_by(sign).sign_bit() & !(x.signed_by(sign).sign_bit() | y.signed_by(sign).sign_bit())
+        z.signed_by(sign).sign_bit()
+            & !(x.signed_by(sign).sign_bit() | y.signed_by(sign).sign_bit())
     } else {
         P::divisible(g) & P::inside(x, y, both)
     };

@@ -97,7 +97,8 @@ pub trait Kernel: 'static {
     /// The record of a triangle; any triangle, degenerate ones too.
     fn prepare<E: Element>(corners: &Corners<E>) -> Self::Record<E>;
     /// What is done once per triangle and packet.
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Self::Record<R::Element>) -> Self::Met<R>;
+    fn meet<P: Policy, R: Real>(token: R::Token, record: &Self::Record<R::Element>)
+    -> Self::Met<R>;
     /// The test.
     ///
     /// # Errors

@@ -10,10 +10,10 @@
 //! Operations of a hit with m: 36 x, 33 +-, 2 /, and per packet 24 x, 21 -.
 //! Known weakness: A x B of absolute coordinates cancels with the square of the offset.
 
+use super::half_spaces::finish_sides;
 use super::{About, Corners, Kernel};
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Found, Miss, Policy, Ray};
-use super::half_spaces::finish_sides;
 
 /// See the module's text.
 pub struct Plucker;
@@ -83,11 +83,8 @@ impl Kernel for Plucker {
     fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
         let moment = P::cross(ray.origin, ray.direction);
         let [ab, bc, ca] = &tri.edges;
-        let sides = [
-            bc.side::<P>(ray, moment),
-            ca.side::<P>(ray, moment),
-            ab.side::<P>(ray, moment),
-        ];
+        let sides =
+            [bc.side::<P>(ray, moment), ca.side::<P>(ray, moment), ab.side::<P>(ray, moment)];
         finish_sides::<P, R>(ray, sides, tri.n, tri.a - ray.origin)
     }
 

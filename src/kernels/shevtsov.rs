@@ -151,4 +151,3 @@ pub fn unprojected<R: Real>(w: Axis<R::Mask>, [pu, pv, pw]: [R; 3], sign: R) -> 
     let [x, y, z] = turned.map(|candidates| w.pick(&candidates));
     Vec3([x.signed_by(sign), y.signed_by(sign), z.signed_by(sign)])
 }
-

@@ -44,10 +44,7 @@ impl Kernel for SignedAreas {
 
     #[inline(always)]
     fn meet<P: Policy, R: Real>(token: R::Token, record: &Record<R::Element>) -> Record<R> {
-        Record {
-            corners: Corners::splat(token, &record.corners),
-            n: Vec3::splat(token, record.n),
-        }
+        Record { corners: Corners::splat(token, &record.corners), n: Vec3::splat(token, record.n) }
     }
 
     #[inline(always)]

@@ -72,17 +72,9 @@ impl Kernel for Wald {
         TriAccel {
             n: [plane.x(), plane.y(), plain_dot(plane, a)],
             w,
-            b: [
-                ac.0[iv] * inverse,
-                -ac.0[iu] * inverse,
-                (av * ac.0[iu] - au * ac.0[iv]) * inverse,
-            ],
+            b: [ac.0[iv] * inverse, -ac.0[iu] * inverse, (av * ac.0[iu] - au * ac.0[iv]) * inverse],
             nw: E::ONE.signed_by(n.0[iw]),
-            c: [
-                -ab.0[iv] * inverse,
-                ab.0[iu] * inverse,
-                (au * ab.0[iv] - av * ab.0[iu]) * inverse,
-            ],
+            c: [-ab.0[iv] * inverse, ab.0[iu] * inverse, (au * ab.0[iv] - av * ab.0[iu]) * inverse],
             unused: 0,
         }
     }

@@ -62,7 +62,11 @@ mod tests {
         for axis in 0..3usize {
             let uniform = Axis::<bool>::Uniform(axis);
             let lanes = Axis::Lanes(axis == 0, axis == 1);
-            for (a, b) in [(uniform, lanes), (uniform.next(), lanes.next()), (uniform.next().next(), lanes.next().next())] {
+            for (a, b) in [
+                (uniform, lanes),
+                (uniform.next(), lanes.next()),
+                (uniform.next().next(), lanes.next().next()),
+            ] {
                 assert_eq!(a.pick(&v), b.pick(&v));
             }
             assert_eq!(uniform.next().pick(&v), v.0[(axis + 1) % 3]);

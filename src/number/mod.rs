@@ -24,9 +24,7 @@ pub use vector::Vec3;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// The answer of a comparison: one truth value per lane.
-pub trait Mask:
-    Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
-{
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
     /// True if any lane is.
     fn any(self) -> bool;
     /// The truth value of one lane; `lane` is below [`Real::LANES`].

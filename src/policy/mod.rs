@@ -109,7 +109,11 @@ pub trait Policy: Copy + 'static {
         scale: Scale<R>,
         code: u8,
     ) -> Result<R::Mask, Miss> {
-        if Self::Exit::DEFERS_RANGE { Ok(mask) } else { Self::keep(mask & Self::within(ray, t, scale), code) }
+        if Self::Exit::DEFERS_RANGE {
+            Ok(mask)
+        } else {
+            Self::keep(mask & Self::within(ray, t, scale), code)
+        }
     }
     /// Where t / one is within the ray's closed range.
     #[inline(always)]
@@ -196,7 +200,8 @@ pub trait Policy: Copy + 'static {
         ([u, v], uv_scale): ([R; 2], Scale<R>),
     ) -> Result<Found<R>, Miss> {
         let hit = if Self::Exit::DEFERS_RANGE { hit & Self::within(ray, t, t_scale) } else { hit };
-        let (t_inverse, inverse) = (Self::Division::inverse(t_scale), Self::Division::inverse(uv_scale));
+        let (t_inverse, inverse) =
+            (Self::Division::inverse(t_scale), Self::Division::inverse(uv_scale));
         let resolve = Self::Division::resolve;
         Ok(Found { hit, t: resolve(t, t_inverse), u: resolve(u, inverse), v: resolve(v, inverse) })
     }

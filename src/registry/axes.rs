@@ -45,8 +45,21 @@ pub struct Axes {
 
 /// The columns of `list variants` behind `id` and `available`.
 pub const COLUMNS: [&str; 15] = [
-    "kernel", "precision", "drive", "level", "exit", "division", "rounding", "output", "cull",
-    "layout", "leading", "priced", "query", "stored", "tests",
+    "kernel",
+    "precision",
+    "drive",
+    "level",
+    "exit",
+    "division",
+    "rounding",
+    "output",
+    "cull",
+    "layout",
+    "leading",
+    "priced",
+    "query",
+    "stored",
+    "tests",
 ];
 
 impl Axes {

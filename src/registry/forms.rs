@@ -276,9 +276,7 @@ where
 {
     let mut pairs: Option<PairsLoop<R::Element, K::Record<R::Element>>> = None;
     if R::LANES == 1 {
-        pairs = Some(
-            enter::<L, Pairs<K, Form<E, D, A, O, F, C, Q, Between>, R::Element>, COPY>,
-        );
+        pairs = Some(enter::<L, Pairs<K, Form<E, D, A, O, F, C, Q, Between>, R::Element>, COPY>);
     }
     let nearest = enter::<L, Nearest<K, Form<E, D, A, O, F, C, Q, FromZero>, R>, COPY>;
     let axes = Axes {
@@ -330,9 +328,13 @@ fn exit_code<K: Offers, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
         K::test::<P, E>(ray, &K::meet::<P, E>((), record)).map_or_else(|miss| miss.0, |_| 0)
     }
     if K::LAST {
-        exit::<K, Form<Early, Last, Plain, Tuv, TwoSided, Compare, K::Native, Between>, E>(ray, record)
+        exit::<K, Form<Early, Last, Plain, Tuv, TwoSided, Compare, K::Native, Between>, E>(
+            ray, record,
+        )
     } else {
-        exit::<K, Form<Early, First, Plain, Tuv, TwoSided, Compare, K::Native, Between>, E>(ray, record)
+        exit::<K, Form<Early, First, Plain, Tuv, TwoSided, Compare, K::Native, Between>, E>(
+            ray, record,
+        )
     }
 }
 

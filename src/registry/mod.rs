@@ -17,7 +17,8 @@ use crate::policy::Ray;
 use crate::workload;
 
 /// Makes a job of a variant over rays and triangles.
-pub type Binder = Box<dyn Fn(&[workload::Ray], &[workload::Triangle]) -> Box<dyn Job> + Send + Sync>;
+pub type Binder =
+    Box<dyn Fn(&[workload::Ray], &[workload::Triangle]) -> Box<dyn Job> + Send + Sync>;
 
 /// One compiled form of one kernel.
 pub struct Variant {

@@ -1,7 +1,9 @@
 //! The forms of the query `point`: is this point of the triangle's plane inside?
 
-use crate::batch::{Points, PairsLoop};
-use crate::kernels::{AngleSum, BadouelCramer, HalfSpaces, Keidy, PointTest, SignedAreas, Vertices};
+use crate::batch::{PairsLoop, Points};
+use crate::kernels::{
+    AngleSum, BadouelCramer, HalfSpaces, Keidy, PointTest, SignedAreas, Vertices,
+};
 use crate::level::{self, On, enter};
 use crate::number::Element;
 use crate::policy::{

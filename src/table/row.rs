@@ -138,7 +138,7 @@ columns! {
     seed: Option<u64>,
     /// The variant's id: its axes joined by slashes.
     id: String,
-    /// What is stored per triangle, where that is off its default.
+    /// What is stored per triangle.
     stored: String,
     /// `on` where back faces are culled.
     cull: String,
@@ -164,8 +164,14 @@ columns! {
     seconds: Option<f64>,
     /// (Mean of the kernel's row) / (smallest such mean) - 1, in percent.
     percent_slower: Option<f64>,
-    /// What a piece of the test costs: the figure with it less the figure without.
+    /// Listings: the kind of operation that is priced.
+    priced: String,
+    /// What that kind of operation costs, as a share of the test's time.
     price: Option<f64>,
+    /// Lower end of its interval.
+    price_low: Option<f64>,
+    /// Upper end of its interval.
+    price_high: Option<f64>,
     /// `ratio_to_reference` of the first half of the rounds alone.
     ratio_first_half: Option<f64>,
     /// `ratio_to_reference` of the second half of the rounds alone.

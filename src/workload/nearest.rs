@@ -5,6 +5,7 @@ use super::random::{Pcg, Unit};
 use super::settled::{Standing, aspect};
 use super::{Ray, Triangle, WorkloadError, hash, thesis};
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// Lanes of the widest packet; the number of rays is a multiple of it.
 const PACKET: usize = 16;
@@ -28,13 +29,24 @@ const BEYOND: f32 = 0.25;
 const CAMERA: f32 = 3.0;
 
 /// How the rays of a packet belong together.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// Not at all: each from a random point of the unit sphere to another.
     #[default]
     Random,
     /// One camera, and 16 consecutive rays are a 4 x 4 tile of its pixels.
     Coherent,
+}
+
+impl Kind {
+    /// The word for it in configs and columns.
+    pub fn word(self) -> &'static str {
+        match self {
+            Kind::Random => "random",
+            Kind::Coherent => "coherent",
+        }
+    }
 }
 
 /// What to draw.

@@ -6,6 +6,7 @@ use super::settled::Standing;
 use super::{Generator, Ray, Triangle, WorkloadError, hash, thesis};
 use crate::oracle::{Query, classify};
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// Most pairs of one set: 1.6 GB of rays and triangles.
 const MOST_PAIRS: u64 = 1 << 24;
@@ -15,7 +16,8 @@ const ALLOWANCE: f64 = 64.0;
 const ORDER: u64 = 1;
 
 /// Which part of the line through origin and end counts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum QueryKind {
     /// All of it: t from -MAX to MAX. What thesis B calls a hit.
     #[default]
@@ -27,6 +29,15 @@ pub enum QueryKind {
 }
 
 impl QueryKind {
+    /// The word for it in configs and columns.
+    pub fn word(self) -> &'static str {
+        match self {
+            QueryKind::Line => "line",
+            QueryKind::Ray => "ray",
+            QueryKind::Segment => "segment",
+        }
+    }
+
     /// The ray from `origin` towards `end`, its direction normalised in f32 (0 where they agree).
     pub(super) fn ray(self, origin: Vec3, end: Vec3) -> Ray {
         let difference = end - origin;
@@ -40,7 +51,8 @@ impl QueryKind {
 }
 
 /// Which side of the triangles the rays see.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Winding {
     /// As drawn: either, about evenly.
     #[default]
@@ -48,6 +60,16 @@ pub enum Winding {
     /// The front, where a, b, c run counter-clockwise: b and c are swapped where
     /// `direction . ((b - a) x (c - a)) > 0`.
     Facing,
+}
+
+impl Winding {
+    /// The word for it in configs and columns.
+    pub fn word(self) -> &'static str {
+        match self {
+            Winding::Natural => "natural",
+            Winding::Facing => "facing",
+        }
+    }
 }
 
 /// What to draw.

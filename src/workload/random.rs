@@ -4,6 +4,7 @@
 use super::WorkloadError;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
+use serde::{Deserialize, Serialize};
 
 /// A source of numbers in the unit interval.
 pub trait Unit {
@@ -114,7 +115,8 @@ impl Unit for Msvc {
 }
 
 /// Which generator draws a workload's coordinates.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Generator {
     /// [`Pcg`].
     #[default]
@@ -124,6 +126,14 @@ pub enum Generator {
 }
 
 impl Generator {
+    /// The word for it in configs and columns.
+    pub fn word(self) -> &'static str {
+        match self {
+            Generator::Pcg => "pcg",
+            Generator::Msvc => "msvc",
+        }
+    }
+
     /// The generator, started at `seed`.
     ///
     /// # Errors

@@ -30,7 +30,10 @@ pub trait Listing: 'static {
     /// Fills the record.
     fn prepare<E: Element>(corners: &Corners<E>) -> Self::Record<E>;
     /// The code, as printed.
-    fn run<E: Element, S: Script, const UV: bool>(ray: &Ray<E>, tri: &Self::Record<E>) -> Returned<E>;
+    fn run<E: Element, S: Script, const UV: bool>(
+        ray: &Ray<E>,
+        tri: &Self::Record<E>,
+    ) -> Returned<E>;
 }
 
 /// Thesis B's EPSILON, 0.000001, rounded to the precision.
@@ -59,7 +62,8 @@ impl<E: Element> Planar<E> {
         let (e1, e2) = corners.edges();
         let n = super::stored::plain_cross(e1, e2);
         let normal = n.scaled(E::ONE / super::stored::plain_dot(n, n).sqrt());
-        let [i0, i1, i2] = super::shevtsov::cycle(crate::number::dominant(normal)).map(|i| i as u32);
+        let [i0, i1, i2] =
+            super::shevtsov::cycle(crate::number::dominant(normal)).map(|i| i as u32);
         Planar {
             v0: corners.a,
             v1: corners.b,

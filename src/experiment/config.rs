@@ -1,0 +1,91 @@
+//! An experiment as a TOML file: its question, why, workload, variants, figures, claims.
+
+use serde::Deserialize;
+
+use super::workload::Workload;
+use crate::chart::{Figure, Published};
+
+/// One experiment. Unknown keys are an error.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Experiment {
+    /// Id, the name of its folder in a run.
+    pub id: String,
+    /// One line.
+    pub title: String,
+    /// What it mirrors, for instance `thesis B, table 4.1`; empty for our own.
+    #[serde(default)]
+    pub mirrors: String,
+    /// The question that it answers.
+    pub question: String,
+    /// Why it is asked, and why it is measured this way.
+    pub why: String,
+    /// Ids of the claims that its rows decide.
+    #[serde(default)]
+    pub claims: Vec<String>,
+    /// Seed of workload and measuring.
+    #[serde(default = "seed")]
+    pub seed: u64,
+    /// What the variants are run on.
+    pub workload: Workload,
+    /// Regular expressions over variant ids; each must match something.
+    pub variants: Vec<String>,
+    /// Id of the variant that ratios refer to.
+    #[serde(default = "reference")]
+    pub reference: String,
+    /// What is drawn.
+    #[serde(default)]
+    pub figure: Vec<Figure>,
+}
+
+fn seed() -> u64 {
+    1
+}
+
+fn reference() -> String {
+    crate::registry::REFERENCE.to_owned()
+}
+
+impl Experiment {
+    /// Reads an experiment. `origin` names the file in messages.
+    ///
+    /// # Errors
+    /// One message that says where, what and what is allowed.
+    pub fn parse(origin: &str, text: &str) -> Result<Self, ConfigError> {
+        let wrong = |message: String| ConfigError { origin: origin.to_owned(), message };
+        let experiment: Experiment =
+            toml::from_str(text).map_err(|error| wrong(error.to_string()))?;
+        experiment.validate().map_err(wrong)?;
+        Ok(experiment)
+    }
+
+    /// Refuses what can be seen to be wrong before anything runs.
+    fn validate(&self) -> Result<(), String> {
+        let safe = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || "-.".contains(c);
+        if self.id.is_empty() || self.id.starts_with('.') || !self.id.chars().all(safe) {
+            return Err(format!(
+                "id: '{}' is not allowed; allowed: lower-case letters, digits, '-' and '.'",
+                self.id
+            ));
+        }
+        if self.variants.is_empty() && !matches!(self.workload, Workload::Counts) {
+            return Err("variants: at least one regular expression is needed".to_owned());
+        }
+        self.workload.validate()?;
+        let published = Published::embedded().map_err(|error| error.to_string())?;
+        self.figure
+            .iter()
+            .try_for_each(|figure| figure.validate(&published))
+            .map_err(|error| error.to_string())
+    }
+}
+
+/// What is wrong with a file.
+#[derive(Debug, thiserror::Error)]
+#[error("{origin}: {message}")]
+pub struct ConfigError {
+    /// The file.
+    pub origin: String,
+    /// Where in it, what, and what is allowed.
+    pub message: String,
+}

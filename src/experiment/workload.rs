@@ -1,0 +1,203 @@
+//! The `[workload]` table of an experiment.
+
+use serde::Deserialize;
+
+use crate::measure::Order;
+use crate::workload::{self, Generator, QueryKind, Winding};
+
+/// What variants are run on.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "lowercase", tag = "kind")]
+pub enum Workload {
+    /// Ray i against triangle i.
+    Pairs(PairsWorkload),
+    /// Every ray against every triangle.
+    Nearest(NearestWorkload),
+    /// Point i of triangle i's plane.
+    Points(PointsWorkload),
+    /// A million random pairs told apart by return code, and the time of each code (listings).
+    Codes(CodesWorkload),
+    /// Operations counted on the longest path; no clock.
+    Counts,
+}
+
+/// Pairs at an exact hit density.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PairsWorkload {
+    /// Pairs in `literal` and `fixed` order.
+    #[serde(default = "fixed_pairs")]
+    pub count: usize,
+    /// Pairs in `reshuffled` order.
+    #[serde(default = "reshuffled_pairs")]
+    pub reshuffled_count: usize,
+    /// Shares of pairs that hit.
+    pub density: Vec<f64>,
+    /// `line`, `ray` or `segment`.
+    #[serde(default)]
+    pub query: QueryKind,
+    /// `natural` or `facing`.
+    #[serde(default)]
+    pub winding: Winding,
+    /// `pcg` or `msvc`.
+    #[serde(default)]
+    pub generator: Generator,
+    /// Orders in which the pairs are tested.
+    pub orders: Vec<Order>,
+    /// Tests that the column `seconds` is scaled to (thesis B: 25 000 x 20 000).
+    pub seconds_of_tests: Option<f64>,
+}
+
+fn fixed_pairs() -> usize {
+    1000
+}
+
+fn reshuffled_pairs() -> usize {
+    4000
+}
+
+/// Rays against all triangles.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NearestWorkload {
+    /// Number of triangles.
+    #[serde(default = "triangles")]
+    pub triangles: usize,
+    /// Rays in `fixed` order; a multiple of 16.
+    #[serde(default = "fixed_rays")]
+    pub rays: usize,
+    /// Rays in `reshuffled` order, of which each block takes others.
+    #[serde(default = "reshuffled_rays")]
+    pub reshuffled_rays: usize,
+    /// `random` or `coherent`.
+    #[serde(default)]
+    pub coherence: workload::Kind,
+    /// Orders in which the rays are tested.
+    pub orders: Vec<Order>,
+}
+
+fn triangles() -> usize {
+    256
+}
+
+fn fixed_rays() -> usize {
+    48
+}
+
+fn reshuffled_rays() -> usize {
+    1024
+}
+
+/// Points of the planes of triangles.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PointsWorkload {
+    /// Points in `literal` and `fixed` order.
+    #[serde(default = "fixed_pairs")]
+    pub count: usize,
+    /// Points in `reshuffled` order.
+    #[serde(default = "reshuffled_pairs")]
+    pub reshuffled_count: usize,
+    /// Shares of points that are inside.
+    pub density: Vec<f64>,
+    /// Orders in which the points are tested.
+    pub orders: Vec<Order>,
+}
+
+/// Random pairs by return code.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CodesWorkload {
+    /// Pairs drawn.
+    pub pairs: usize,
+    /// Pairs timed of each code, at most.
+    #[serde(default = "fixed_pairs")]
+    pub timed_pairs: usize,
+    /// `pcg` or `msvc`.
+    #[serde(default)]
+    pub generator: Generator,
+    /// Orders in which the pairs of a code are tested.
+    pub orders: Vec<Order>,
+}
+
+impl Workload {
+    /// Refuses what can be seen to be wrong before anything runs.
+    pub(super) fn validate(&self) -> Result<(), String> {
+        match self {
+            Workload::Pairs(pairs) => pairs.validate(),
+            Workload::Nearest(nearest) => nearest.validate(),
+            Workload::Points(points) => points.validate(),
+            Workload::Codes(codes) => codes.validate(),
+            Workload::Counts => Ok(()),
+        }
+    }
+}
+
+/// Counts that every machine can hold and no run can take an hour for.
+const MOST: usize = 1 << 24;
+
+fn in_range(key: &str, value: usize, least: usize) -> Result<(), String> {
+    if (least..=MOST).contains(&value) {
+        return Ok(());
+    }
+    Err(format!("workload.{key}: {value} is not allowed; allowed: {least} to {MOST}"))
+}
+
+fn some<T>(key: &str, list: &[T]) -> Result<(), String> {
+    if list.is_empty() { Err(format!("workload.{key}: at least one is needed")) } else { Ok(()) }
+}
+
+fn shares(density: &[f64]) -> Result<(), String> {
+    some("density", density)?;
+    match density.iter().find(|d| !(0.0..=1.0).contains(*d)) {
+        Some(d) => Err(format!("workload.density: {d} is not allowed; allowed: 0 to 1")),
+        None => Ok(()),
+    }
+}
+
+impl PairsWorkload {
+    fn validate(&self) -> Result<(), String> {
+        shares(&self.density)?;
+        some("orders", &self.orders)?;
+        if let Some(tests) = self.seconds_of_tests
+            && !(tests.is_finite() && tests > 0.0)
+        {
+            return Err(format!(
+                "workload.seconds_of_tests: {tests} is not allowed; allowed: above 0"
+            ));
+        }
+        in_range("count", self.count, 1)?;
+        in_range("reshuffled_count", self.reshuffled_count, 1)
+    }
+}
+
+impl PointsWorkload {
+    fn validate(&self) -> Result<(), String> {
+        shares(&self.density)?;
+        some("orders", &self.orders)?;
+        in_range("count", self.count, 1)?;
+        in_range("reshuffled_count", self.reshuffled_count, 1)
+    }
+}
+
+impl NearestWorkload {
+    fn validate(&self) -> Result<(), String> {
+        some("orders", &self.orders)?;
+        if self.orders.contains(&Order::Literal) {
+            return Err("workload.orders: literal is not allowed; allowed for nearest: fixed, \
+                        reshuffled (one ray's walk over all triangles is one item)"
+                .to_owned());
+        }
+        in_range("triangles", self.triangles, 1)?;
+        in_range("rays", self.rays, 16)?;
+        in_range("reshuffled_rays", self.reshuffled_rays, 16)
+    }
+}
+
+impl CodesWorkload {
+    fn validate(&self) -> Result<(), String> {
+        some("orders", &self.orders)?;
+        in_range("timed_pairs", self.timed_pairs, 1)?;
+        in_range("pairs", self.pairs, 1)
+    }
+}
