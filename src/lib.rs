@@ -12,6 +12,7 @@ pub mod level;
 pub mod measure;
 pub mod number;
 pub mod oracle;
+pub mod accuracy;
 pub mod policy;
 pub mod registry;
 pub mod stats;

@@ -1,7 +1,27 @@
 //! TOML -> plan -> rows: the only part that knows workloads, variants, clock and oracle at once.
+//!
+//! ```text
+//! Experiment (TOML) --select--> Plan --draw--> Scene --judge--> right variants --measure--> rows
+//! ```
 
+pub mod cells;
+mod codes;
 mod config;
+mod counts;
+mod plan;
+mod points;
+mod prices;
+mod rows;
+mod run;
+mod scene;
+mod select;
 mod workload;
 
+pub use cells::Bench;
 pub use config::{ConfigError, Experiment};
+pub use plan::{Plan, Profile, SECONDS_PER_BLOCK};
+pub use rows::{put_percent_slower, of_variant};
+pub use run::{Outcome, RunError, run};
+pub use scene::{Facts, Scene};
+pub use select::select;
 pub use workload::{CodesWorkload, NearestWorkload, PairsWorkload, PointsWorkload, Workload};

@@ -1,0 +1,7 @@
+//! Answers against the exact ones: what is wrong, what rounding excuses, how large errors are.
+
+mod judge;
+mod truth;
+
+pub use judge::{Judgement, Reported, judge, judge_nearest};
+pub use truth::{NearestTruth, Truth};

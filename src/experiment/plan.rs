@@ -1,0 +1,108 @@
+//! What an experiment will do, and how long it will take, before it does it.
+
+use super::cells::{CONTROLS, MOST_SUBJECTS};
+use super::config::{ConfigError, Experiment};
+use super::select::select;
+use super::workload::Workload;
+use crate::measure::{Order, Protocol};
+use crate::registry::{self, Variant};
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Profile {
+    /// 32 rounds: all experiments in under two minutes.
+    #[default]
+    Quick,
+    /// 128 rounds.
+    Standard,
+    /// 512 rounds.
+    Thorough,
+}
+
+impl Profile {
+    /// Rounds of every group.
+    pub fn rounds(self) -> usize {
+        match self {
+            Profile::Quick => 32,
+            Profile::Standard => 128,
+            Profile::Thorough => 512,
+        }
+    }
+}
+
+/// An experiment with its variants chosen.
+pub struct Plan {
+    /// The experiment.
+    pub experiment: Experiment,
+    /// What runs, in the order of the experiment's patterns; those the filter lets through.
+    pub variants: Vec<&'static Variant>,
+    /// What ratios refer to.
+    pub reference: &'static Variant,
+}
+
+impl Plan {
+    /// Chooses the variants. `filter` is a regular expression over ids that was compiled before.
+    ///
+    /// # Errors
+    /// For patterns that are none or match nothing, and a reference that does not exist.
+    pub fn new(
+        origin: &str,
+        experiment: Experiment,
+        filter: Option<&regex::Regex>,
+    ) -> Result<Self, ConfigError> {
+        let wrong = |message: String| ConfigError { origin: origin.to_owned(), message };
+        let mut variants = select(&experiment.variants).map_err(wrong)?;
+        variants.retain(|variant| filter.is_none_or(|filter| filter.is_match(&variant.id())));
+        let reference = registry::find(&experiment.reference).ok_or_else(|| {
+            wrong(format!(
+                "reference: there is no variant '{}'; `ray_test list variants` shows them all",
+                experiment.reference
+            ))
+        })?;
+        Ok(Plan { experiment, variants, reference })
+    }
+
+    /// Whether there is anything to do.
+    pub fn is_empty(&self) -> bool {
+        self.variants.is_empty() && !matches!(self.experiment.workload, Workload::Counts)
+    }
+
+    /// Cells: density and order of each scene; `None` for nearest-hit scenes.
+    pub fn cells(&self) -> Vec<(Option<f64>, Order)> {
+        let product = |densities: &[f64], orders: &[Order]| {
+            let of = |order: &Order| {
+                let order = *order;
+                densities.iter().map(move |density| (Some(*density), order)).collect::<Vec<_>>()
+            };
+            orders.iter().flat_map(of).collect::<Vec<_>>()
+        };
+        match &self.experiment.workload {
+            Workload::Pairs(pairs) => product(&pairs.density, &pairs.orders),
+            Workload::Points(points) => product(&points.density, &points.orders),
+            Workload::Nearest(nearest) => nearest.orders.iter().map(|order| (None, *order)).collect(),
+            Workload::Codes(_) | Workload::Counts => Vec::new(),
+        }
+    }
+
+    /// Blocks that will be timed on this machine, redrawn rounds excluded.
+    pub fn blocks(&self, profile: Profile) -> usize {
+        let ready = self.variants.iter().filter(|variant| (variant.available)()).count();
+        let group = |subjects: usize| {
+            let contestants = subjects + CONTROLS;
+            let protocol = Protocol { rounds: profile.rounds(), ..Protocol::new(Order::Fixed, 0) };
+            protocol.planned_rounds(contestants) * contestants
+        };
+        if let Workload::Codes(codes) = &self.experiment.workload {
+            // Up to six exits and the chain.
+            return ready * codes.orders.len() * group(3);
+        }
+        let full = ready / MOST_SUBJECTS * group(MOST_SUBJECTS);
+        let rest = ready % MOST_SUBJECTS;
+        let of_cell = full + if rest > 0 { group(rest) } else { 0 };
+        self.cells().len() * of_cell
+    }
+}
+
+/// Seconds that one timed block takes with all that belongs to it: 60 us inside the window, as
+/// much again for permutations, warm-up passes and calibration.
+pub const SECONDS_PER_BLOCK: f64 = 120e-6;

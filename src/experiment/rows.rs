@@ -1,0 +1,113 @@
+//! Rows from what was measured and judged.
+
+use super::scene::Scene;
+use crate::accuracy::Judgement;
+use crate::measure::{BuildInfo, Figures, Invalid, Order, Status};
+use crate::registry::Variant;
+use crate::table::Row;
+
+/// The columns that a variant, a scene and an order have before anything is measured.
+pub fn blank(experiment: &str, variant: &Variant, scene: &Scene, order: Order) -> Row {
+    let (axes, facts) = (&variant.axes, &scene.facts);
+    Row {
+        experiment: experiment.into(),
+        workload: facts.workload.clone(),
+        order: order.word().into(),
+        density: facts.density,
+        triangles: Some(scene.triangles.len() as u64),
+        rays: Some(scene.rays.len() as u64),
+        tests: Some(scene.tests()),
+        query: facts.query.into(),
+        winding: facts.winding.into(),
+        generator: facts.generator.into(),
+        workload_hash: format!("{:016x}", facts.hash),
+        seed: Some(facts.seed),
+        priced: axes.priced.into(),
+        ..of_variant(variant)
+    }
+}
+
+/// The columns of a variant alone.
+pub fn of_variant(variant: &Variant) -> Row {
+    let axes = &variant.axes;
+    Row {
+        id: variant.id(),
+        kernel: axes.kernel.into(),
+        precision: axes.precision.into(),
+        drive: axes.drive.clone(),
+        level: axes.level.into(),
+        exit: axes.exit.into(),
+        division: axes.division.into(),
+        rounding: axes.rounding.into(),
+        output: axes.output.into(),
+        layout: axes.layout.into(),
+        stored: axes.stored.into(),
+        cull: axes.cull.into(),
+        tests_form: axes.tests.into(),
+        leading: axes.leading.into(),
+        bytes_per_triangle: Some(variant.bytes_per_triangle as u64),
+        build: BuildInfo::of_this_program().label(),
+        ..Row::default()
+    }
+}
+
+/// Puts in what the check against the exact answer found.
+pub fn put_judgement(row: &mut Row, judgement: &Judgement, hits: u64) {
+    row.hits = Some(hits);
+    row.false_hits = Some(judgement.false_hits);
+    row.false_misses = Some(judgement.false_misses);
+    row.nan_outputs = Some(judgement.non_finite);
+    row.err_t_mean_rel = judgement.t_mean_relative;
+    row.err_t_max_ulp = judgement.t_max_ulp;
+    row.err_u_max_abs = judgement.u_max;
+    row.err_v_max_abs = judgement.v_max;
+}
+
+/// Puts in what was measured; `ok` is the status of figures that stand.
+pub fn put_figures(row: &mut Row, figures: &Figures, ok: &str) {
+    row.rounds = Some(figures.rounds as u64);
+    row.dirty_rounds = Some(figures.dirty_rounds as u64);
+    match &figures.status {
+        Status::Ok => row.status = ok.into(),
+        Status::Invalid(reason) => {
+            let interrupted = matches!(reason, Invalid::NoRound);
+            row.status = if interrupted { "not-measured" } else { "invalid" }.into();
+            row.reason = reason.to_string();
+            return;
+        }
+    }
+    row.ns_per_test = figures.ns_per_test;
+    row.ns_low = figures.ns_low;
+    row.ns_high = figures.ns_high;
+    row.min_ns = figures.min_ns;
+    row.mtests_per_s = figures.ns_per_test.map(|ns| 1e3 / ns);
+    row.cycles_per_test = figures.cycles_per_test;
+    if let Some(ratio) = &figures.ratio_to_reference {
+        row.ratio_to_reference = Some(ratio.estimate);
+        row.ratio_low = Some(ratio.low);
+        row.ratio_high = Some(ratio.high);
+    }
+    row.ratio_first_half = figures.ratio_first_half.as_ref().map(|ratio| ratio.estimate);
+    row.ratio_second_half = figures.ratio_second_half.as_ref().map(|ratio| ratio.estimate);
+}
+
+/// The thesis's column: how much slower the mean of a variant's row over the densities is than the
+/// smallest such mean, within each order, in percent.
+pub fn put_percent_slower(rows: &mut [Row]) {
+    let mut means: Vec<(String, String, f64)> = Vec::new();
+    for row in rows.iter().filter(|row| row.ns_per_test.is_some()) {
+        if means.iter().any(|(order, id, _)| *order == row.order && *id == row.id) {
+            continue;
+        }
+        let same = |other: &&Row| other.order == row.order && other.id == row.id;
+        let times: Vec<f64> = rows.iter().filter(same).filter_map(|other| other.ns_per_test).collect();
+        let mean = times.iter().sum::<f64>() / times.len() as f64;
+        means.push((row.order.clone(), row.id.clone(), mean));
+    }
+    for row in rows.iter_mut() {
+        let of_order = means.iter().filter(|(order, ..)| *order == row.order);
+        let smallest = of_order.clone().map(|(.., mean)| *mean).fold(f64::INFINITY, f64::min);
+        let own = of_order.clone().find(|(_, id, _)| *id == row.id);
+        row.percent_slower = own.map(|(.., mean)| (mean / smallest - 1.0) * 100.0);
+    }
+}

@@ -1,0 +1,177 @@
+//! A drawn workload with its exact answers: what variants are checked on and timed on.
+
+use std::cell::OnceCell;
+
+use super::workload::{NearestWorkload, PairsWorkload};
+use crate::accuracy::{Judgement, NearestTruth, Reported, Truth, judge, judge_nearest};
+use crate::job::Job;
+use crate::measure::Order;
+use crate::registry::Variant;
+use crate::workload::{
+    NearestSet, NearestSpec, PairSpec, Pairs, QueryKind, Ray, Triangle, WorkloadError,
+};
+
+/// What rows say of a workload.
+#[derive(Clone, Debug, Default)]
+pub struct Facts {
+    /// The column `workload`.
+    pub workload: String,
+    /// Effective share of hits; pairs only.
+    pub density: Option<f64>,
+    /// `line`, `ray`, `segment`, `point`.
+    pub query: &'static str,
+    /// `natural` or `facing`; pairs only.
+    pub winding: &'static str,
+    /// `pcg` or `msvc`.
+    pub generator: &'static str,
+    /// Hash of every number drawn.
+    pub hash: u64,
+    /// Seed of the draw.
+    pub seed: u64,
+}
+
+/// Rays and triangles with their exact answers.
+pub struct Scene {
+    /// What rows say of it.
+    pub facts: Facts,
+    /// Rays, as drawn.
+    pub rays: Vec<Ray>,
+    /// Triangles, as drawn.
+    pub triangles: Vec<Triangle>,
+    truth: Exactly,
+}
+
+/// The exact answers, computed when a variant first asks.
+enum Exactly {
+    Pairs { truths: OnceCell<Vec<Truth>>, segments: OnceCell<Vec<Truth>> },
+    Points(OnceCell<Vec<Truth>>),
+    Nearest(OnceCell<NearestTruth>),
+}
+
+/// Kernels that are judged on (origin, end); the others are on (origin, direction).
+const SEGMENT_KERNEL: &str = "chirkov";
+
+impl Scene {
+    /// Pairs of an experiment at a density, as many as the order takes.
+    ///
+    /// # Errors
+    /// As [`Pairs::draw`].
+    pub fn pairs(
+        workload: &PairsWorkload,
+        density: f64,
+        order: Order,
+        seed: u64,
+    ) -> Result<Self, WorkloadError> {
+        let reshuffled = order == Order::Reshuffled;
+        let count = if reshuffled { workload.reshuffled_count } else { workload.count };
+        let spec = PairSpec {
+            count,
+            density,
+            query: workload.query,
+            winding: workload.winding,
+            generator: workload.generator,
+            seed,
+        };
+        Ok(Self::of_pairs(Pairs::draw(spec)?))
+    }
+
+    /// Pairs that were drawn elsewhere.
+    pub fn of_pairs(pairs: Pairs) -> Self {
+        let facts = Facts {
+            workload: format!("pairs-{}", pairs.spec.query.word()),
+            density: Some(pairs.density()),
+            query: pairs.spec.query.word(),
+            winding: pairs.spec.winding.word(),
+            generator: pairs.spec.generator.word(),
+            hash: pairs.hash,
+            seed: pairs.spec.seed,
+        };
+        let truth = Exactly::Pairs { truths: OnceCell::new(), segments: OnceCell::new() };
+        Scene { facts, rays: pairs.rays, triangles: pairs.triangles, truth }
+    }
+
+    /// Points of planes, each the `end` of its ray.
+    pub fn of_points(facts: Facts, rays: Vec<Ray>, triangles: Vec<Triangle>) -> Self {
+        Scene { facts, rays, triangles, truth: Exactly::Points(OnceCell::new()) }
+    }
+
+    /// Rays against all triangles, as many as the order takes.
+    ///
+    /// # Errors
+    /// As [`NearestSet::draw`].
+    pub fn nearest(
+        workload: &NearestWorkload,
+        order: Order,
+        seed: u64,
+    ) -> Result<Self, WorkloadError> {
+        let rays = if order == Order::Reshuffled { workload.reshuffled_rays } else { workload.rays };
+        let kind = workload.coherence;
+        let set = NearestSet::draw(NearestSpec { triangles: workload.triangles, rays, kind, seed })?;
+        let facts = Facts {
+            workload: format!("nearest-{}", kind.word()),
+            query: QueryKind::Ray.word(),
+            generator: "pcg",
+            hash: set.hash,
+            seed,
+            ..Facts::default()
+        };
+        let truth = Exactly::Nearest(OnceCell::new());
+        Ok(Scene { facts, rays: set.rays, triangles: set.triangles, truth })
+    }
+
+    /// Whether it is rays against all triangles.
+    pub fn is_nearest(&self) -> bool {
+        matches!(self.truth, Exactly::Nearest(_))
+    }
+
+    /// Tests of one pass.
+    pub fn tests(&self) -> u64 {
+        let per_ray = if self.is_nearest() { self.triangles.len() } else { 1 };
+        (self.rays.len() * per_ray) as u64
+    }
+
+    /// The variant, bound to this scene; `None` if it has no loop for it.
+    pub fn bind(&self, variant: &Variant) -> Option<Box<dyn Job>> {
+        let binder = if self.is_nearest() { &variant.nearest } else { &variant.pairs };
+        binder.as_ref().map(|bind| bind(&self.rays, &self.triangles))
+    }
+
+    /// Compares a job's answers, by the very function that will be timed, with the exact ones.
+    pub fn judge(&self, variant: &Variant, job: &mut dyn Job) -> Judgement {
+        let reported = reported(variant);
+        let answers = job.answers();
+        match &self.truth {
+            Exactly::Nearest(truth) => {
+                let truth = truth.get_or_init(|| NearestTruth::of(&self.rays, &self.triangles));
+                let exact = if reported.culls { &truth.front } else { &truth.any };
+                judge_nearest(&answers, exact, (&self.rays, &self.triangles), reported)
+            }
+            Exactly::Points(truths) => {
+                judge(&answers, truths.get_or_init(|| self.solve(Truth::of_point)), reported)
+            }
+            Exactly::Pairs { truths, segments } => {
+                let truths = if variant.axes.kernel == SEGMENT_KERNEL {
+                    segments.get_or_init(|| self.solve(Truth::of_segment))
+                } else {
+                    truths.get_or_init(|| self.solve(Truth::of))
+                };
+                judge(&answers, truths, reported)
+            }
+        }
+    }
+
+    fn solve(&self, one: fn(&Ray, &Triangle) -> Truth) -> Vec<Truth> {
+        self.rays.iter().zip(&self.triangles).map(|(ray, triangle)| one(ray, triangle)).collect()
+    }
+}
+
+/// What the form of a variant reports.
+fn reported(variant: &Variant) -> Reported {
+    let axes = &variant.axes;
+    Reported {
+        unit_roundoff: if axes.precision == "f64" { 0.5f64.powi(53) } else { 0.5f64.powi(24) },
+        t: axes.output != "hit" && axes.query != "point",
+        uv: matches!(axes.output, "tuv" | "surface"),
+        culls: axes.cull == "on",
+    }
+}
