@@ -24,6 +24,27 @@ fn main() {
     let flags = env::var("CARGO_ENCODED_RUSTFLAGS").ok();
     export("RUSTFLAGS", flags.map(|f| f.replace('\u{1f}', " ")));
     export("COMMIT", commit());
+    embed_configs();
+}
+
+/// Lists the experiments for the program to carry with it: a new file needs no line of code.
+/// A list that cannot be written fails the build where it is included, with its path.
+fn embed_configs() {
+    let here = env::var("CARGO_MANIFEST_DIR").unwrap_or_default();
+    let folder = Path::new(&here).join("configs");
+    let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
+    let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let mut names: Vec<String> = names.filter(|name| name.ends_with(".toml")).collect();
+    names.sort();
+    let item = |name: &String| {
+        let path = folder.join(name);
+        format!("    ({name:?}, include_str!({:?})),\n", path.display().to_string())
+    };
+    let items: String = names.iter().map(item).collect();
+    let list = format!("pub const CONFIGS: &[(&str, &str)] = &[\n{items}];\n");
+    if let Ok(out) = env::var("OUT_DIR") {
+        let _ = std::fs::write(Path::new(&out).join("configs.rs"), list);
+    }
 }
 
 /// The commit of this package's own repository, `-dirty` behind it if files differ from it.

@@ -19,3 +19,5 @@ pub mod stats;
 #[cfg(feature = "cli")]
 pub mod table;
 pub mod workload;
+#[cfg(feature = "cli")]
+pub mod cli;

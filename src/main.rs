@@ -1,8 +1,7 @@
-//! temporary
-fn main() {
-    let v = ray_test::registry::variants();
-    println!("{}", v.len());
-    for x in v.iter().step_by(40) {
-        println!("{}", x.id());
-    }
+//! `ray_test`: parse, run the verb, print the error chain, exit code.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ray_test::cli::main()
 }

@@ -10,12 +10,12 @@ use crate::registry::{self, Variant};
 /// How much is measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Profile {
-    /// 32 rounds: all experiments in under two minutes.
+    /// 64 rounds: all experiments in under two minutes.
     #[default]
     Quick,
-    /// 128 rounds.
+    /// 256 rounds.
     Standard,
-    /// 512 rounds.
+    /// 1024 rounds.
     Thorough,
 }
 
@@ -23,9 +23,9 @@ impl Profile {
     /// Rounds of every group.
     pub fn rounds(self) -> usize {
         match self {
-            Profile::Quick => 32,
-            Profile::Standard => 128,
-            Profile::Thorough => 512,
+            Profile::Quick => 64,
+            Profile::Standard => 256,
+            Profile::Thorough => 1024,
         }
     }
 }

@@ -197,6 +197,11 @@ impl NearestWorkload {
 impl CodesWorkload {
     fn validate(&self) -> Result<(), String> {
         some("orders", &self.orders)?;
+        if self.orders.contains(&Order::Reshuffled) {
+            return Err("workload.orders: reshuffled is not allowed; allowed for codes: literal, \
+                        fixed (one pass over the few pairs of a rare code is too short to time)"
+                .to_owned());
+        }
         in_range("timed_pairs", self.timed_pairs, 1)?;
         in_range("pairs", self.pairs, 1)
     }

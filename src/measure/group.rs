@@ -109,7 +109,8 @@ struct Rounds {
     cancelled: bool,
 }
 
-/// Runs the planned rounds; dirty ones again, same positions and windows, while spares last.
+/// Runs the planned rounds; dirty ones again, same positions and windows, while spares last, and
+/// on a busy machine beyond that until there are enough for an interval.
 fn run_rounds(
     runners: &mut [Runner<'_>],
     protocol: &Protocol,
@@ -137,10 +138,12 @@ fn run_rounds(
                 break;
             }
             rounds.dirty += 1;
-            if spare == 0 {
+            let too_few = rounds.clean < Protocol::LEAST_ROUNDS;
+            let patient = too_few && rounds.dirty < protocol.most_dirty_rounds(number);
+            if spare == 0 && !patient {
                 break;
             }
-            spare -= 1;
+            spare = spare.saturating_sub(1);
             progress.total_blocks += number;
         }
     }

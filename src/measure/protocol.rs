@@ -114,6 +114,12 @@ impl Protocol {
         blocks.saturating_mul(self.block_ns)
     }
 
+    /// How many rounds may be dirty before a machine is taken to be too busy for even
+    /// [`Protocol::LEAST_ROUNDS`] clean ones: four times what was planned.
+    pub fn most_dirty_rounds(&self, contestants: usize) -> usize {
+        self.planned_rounds(contestants).saturating_mul(4)
+    }
+
     /// How many rounds may be run again because something disturbed them: a quarter.
     pub fn spare_rounds(&self, contestants: usize) -> usize {
         self.planned_rounds(contestants).div_ceil(4)

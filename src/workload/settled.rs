@@ -12,6 +12,10 @@ const UNIT_ROUNDOFF: f64 = 1.0 / (1u32 << 24) as f64;
 const SMALLEST_DET: f64 = 1e-5;
 /// Badouel's epsilon is 1e-6 on the cosine; twice that is kept clear of.
 const SMALLEST_COSINE: f64 = 2e-6;
+/// Badouel's published substitution divides by one component of the edge AB. It loses as many bits
+/// of u as that component is smaller than the edges; at a sixteenth of them it loses four, within
+/// what the condition number grants every kernel (64 roundings are six).
+const SMALLEST_COMPONENT: f64 = 1.0 / 16.0;
 
 /// Where a pair stands, and how far rounding can move it.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +27,7 @@ pub struct Standing {
     /// e1 . (d x e2), positive where the ray sees a, b, c counter-clockwise.
     det: f64,
     det_is_clear: bool,
+    substitution_is_clear: bool,
     /// Of u, v, w, t - t_min, t_max - t.
     margins: [Margin; 5],
 }
@@ -61,6 +66,7 @@ impl Standing {
             doubt: doubt_t,
             det,
             det_is_clear: det.abs() > SMALLEST_DET && cosine_is_clear,
+            substitution_is_clear: substitution_is_clear(e1, e2, n),
             margins: [
                 Margin { value: u, doubt: doubt(d, e2) },
                 Margin { value: v, doubt: doubt(e1, d) },
@@ -72,9 +78,9 @@ impl Standing {
     }
 
     /// Whether every quantity is clear of its bound, so that every test of every kernel has the
-    /// same outcome. (NaN fails every comparison here and below.)
+    /// same outcome, published listings included. (NaN fails every comparison here and below.)
     pub fn is_settled(&self) -> bool {
-        self.det_is_clear && self.margins.iter().all(|m| m.value.abs() > m.doubt)
+        self.det_is_clear && self.substitution_is_clear && self.margins.iter().all(|m| m.value.abs() > m.doubt)
     }
 
     /// Whether the ray sees the front. For a settled pair, f64 has the sign right.
@@ -91,6 +97,14 @@ impl Standing {
     pub fn is_miss(&self) -> bool {
         self.margins.iter().any(|m| m.value < -m.doubt)
     }
+}
+
+/// Whether AB is long enough along the axis behind the normal's largest (in the cycle x, y, z).
+fn substitution_is_clear(e1: [f64; 3], e2: [f64; 3], n: [f64; 3]) -> bool {
+    let larger = |best: usize, i: usize| if n[i].abs() > n[best].abs() { i } else { best };
+    let i1 = ([1, 2].into_iter().fold(0, larger) + 1) % 3;
+    let longest = dot(e1, e1).max(dot(e2, e2)).sqrt();
+    e1[i1].abs() >= SMALLEST_COMPONENT * longest
 }
 
 /// Square of the longest edge over twice the area: 1.15 for an equilateral triangle; not finite

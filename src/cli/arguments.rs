@@ -1,0 +1,244 @@
+//! What may stand on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
+
+use crate::experiment::Profile;
+use crate::measure::Order;
+use crate::workload::Generator;
+
+const EXAMPLES: &str = "\
+Examples:
+  ray_test 0.3 2000 10000      2000 pairs of which exactly 600 hit, each 10000 times in a row
+  ray_test all 2000 1000       densities 0, 0.25, 0.5, 0.75 and 1
+  ray_test reproduce           every experiment, under two minutes; tables and charts
+  ray_test list kernels        what there is";
+
+/// Which ray-triangle routine to use, how fast it is, and how wrong.
+///
+/// Without a verb it is the program of the 2007 thesis: Moeller, Badouel and Chirkov on pairs of a
+/// chosen hit density. DENSITY missing, or no number in [0, 1], means the sweep 0, 0.25, 0.5,
+/// 0.75, 1.
+#[derive(Parser, Debug)]
+#[command(version, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
+pub struct Arguments {
+    /// What to do instead of the thesis's test.
+    #[command(subcommand)]
+    pub verb: Option<Verb>,
+    /// The thesis form.
+    #[command(flatten)]
+    pub thesis: Thesis,
+}
+
+/// `ray_test [DENSITY] [TRIANGLES] [REPEATS]`
+#[derive(Args, Debug)]
+pub struct Thesis {
+    /// Share of pairs that hit, 0 to 1; `all` for the sweep
+    #[arg(allow_hyphen_values = true)]
+    pub density: Option<String>,
+    /// Number of pairs
+    #[arg(default_value = "25000", allow_hyphen_values = true)]
+    pub triangles: String,
+    /// How often each pair is computed
+    #[arg(default_value = "20000", allow_hyphen_values = true)]
+    pub repeats: String,
+    /// Where the random generator starts
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// `msvc` is the 15-bit generator of the thesis
+    #[arg(long, value_enum, default_value_t = GeneratorWord::Pcg)]
+    pub generator: GeneratorWord,
+    /// `literal` repeats each pair in a row, as the thesis does; `fixed` replays the set;
+    /// `reshuffled` permutes it before every pass
+    #[arg(long, value_enum, default_value_t = OrderWord::Literal)]
+    pub order: OrderWord,
+    /// Kernels, separated by commas; `moller` is moller1, `chirkov` is chirkov-line
+    #[arg(long, value_delimiter = ',', default_values_t = ["moller".to_owned(), "badouel".to_owned(), "chirkov".to_owned()])]
+    pub kernels: Vec<String>,
+    /// With or without barycentric coordinates
+    #[arg(long, value_enum, default_value_t = OutputWord::T)]
+    pub output: OutputWord,
+    /// How results are printed
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// The verbs.
+#[derive(Subcommand, Debug)]
+pub enum Verb {
+    /// Run experiments from TOML files
+    #[command(after_help = "Example:\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine")]
+    Run(Run),
+    /// Run every built-in experiment
+    #[command(after_help = "Examples:\n  ray_test reproduce\n  ray_test reproduce --dry-run\n  ray_test reproduce --filter '^wald/' --out results/wald")]
+    Reproduce(Reproduce),
+    /// Show kernels, variants, experiments, claims or levels
+    #[command(after_help = "Example:\n  ray_test list variants --format csv")]
+    List(List),
+}
+
+/// `ray_test run`
+#[derive(Args, Debug)]
+pub struct Run {
+    /// TOML files, one experiment each
+    #[arg(required = true)]
+    pub configs: Vec<PathBuf>,
+    /// What `run` and `reproduce` share.
+    #[command(flatten)]
+    pub batch: Batch,
+}
+
+/// `ray_test reproduce`
+#[derive(Args, Debug)]
+pub struct Reproduce {
+    /// What `run` and `reproduce` share.
+    #[command(flatten)]
+    pub batch: Batch,
+}
+
+/// What `run` and `reproduce` share.
+#[derive(Args, Debug)]
+pub struct Batch {
+    /// How much is measured: 64, 256 or 1024 rounds
+    #[arg(long, value_enum, default_value_t = ProfileWord::Quick)]
+    pub profile: ProfileWord,
+    /// Folder for the results [default: results/<UTC time>-<config hash>]
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Only variants whose id matches this regular expression
+    #[arg(long, value_name = "RE")]
+    pub filter: Option<String>,
+    /// Say what would run and how long it would take
+    #[arg(long)]
+    pub dry_run: bool,
+    /// Go on with an interrupted run in the folder of --out
+    #[arg(long, requires = "out")]
+    pub resume: bool,
+}
+
+/// `ray_test list`
+#[derive(Args, Debug)]
+pub struct List {
+    /// What to show
+    #[arg(value_enum)]
+    pub what: Listed,
+    /// How it is printed
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// What can be shown.
+#[derive(ValueEnum, Clone, Copy, Debug)]
+pub enum Listed {
+    /// Algorithms
+    Kernels,
+    /// Compiled forms
+    Variants,
+    /// Built-in experiments
+    Experiments,
+    /// Published statements
+    Claims,
+    /// Instruction-set levels
+    Levels,
+}
+
+/// How results are printed.
+#[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// A table to read
+    Text,
+    /// CSV with a header
+    Csv,
+    /// A JSON array of flat objects
+    Json,
+}
+
+/// The library's words, for clap.
+macro_rules! words {
+    ($(#[$doc:meta])* $name:ident for $target:ty { $($value:ident => $of:expr,)* }) => {
+        $(#[$doc])*
+        #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+        #[allow(missing_docs, reason = "the words explain themselves where they are used")]
+        pub enum $name { $($value,)* }
+        impl $name {
+            /// The library's own type.
+            pub fn value(self) -> $target {
+                match self { $($name::$value => $of,)* }
+            }
+        }
+    };
+}
+
+words! {
+    /// Order of the pairs.
+    OrderWord for Order {
+        Literal => Order::Literal,
+        Fixed => Order::Fixed,
+        Reshuffled => Order::Reshuffled,
+    }
+}
+words! {
+    /// Random generator.
+    GeneratorWord for Generator {
+        Pcg => Generator::Pcg,
+        Msvc => Generator::Msvc,
+    }
+}
+words! {
+    /// What is computed of a hit.
+    OutputWord for &'static str {
+        T => "t",
+        Tuv => "tuv",
+    }
+}
+words! {
+    /// How much is measured.
+    ProfileWord for Profile {
+        Quick => Profile::Quick,
+        Standard => Profile::Standard,
+        Thorough => Profile::Thorough,
+    }
+}
+
+/// Words that are verbs of this program, now or in a later version: a lone one that is close to
+/// them is a slip, not a density.
+const VERBS: [&str; 13] = [
+    "run", "reproduce", "list", "check", "stability", "compare", "report", "scene", "render",
+    "recommend", "doctor", "completions", "help",
+];
+
+/// How alike two words must be to be taken for a slip (Jaro-Winkler, 1 is equal).
+const ALIKE: f64 = 0.85;
+
+/// Parses the process's arguments.
+///
+/// # Errors
+/// clap's, with its own message; help and version come as errors that are none.
+pub fn parse() -> Result<Arguments, clap::Error> {
+    let arguments = Arguments::try_parse()?;
+    if arguments.verb.is_none()
+        && let Some(word) = &arguments.thesis.density
+        && let Some(message) = slip(word)
+    {
+        return Err(Arguments::command().error(clap::error::ErrorKind::InvalidSubcommand, message));
+    }
+    Ok(arguments)
+}
+
+/// What to say of a word that is meant as a verb; `None` for densities and other words.
+fn slip(word: &str) -> Option<String> {
+    if word.parse::<f64>().is_ok() || word == "all" {
+        return None;
+    }
+    let here = ["run", "reproduce", "list", "help"];
+    let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
+    if VERBS.contains(&word) && !here.contains(&word) {
+        let known = known.join(", ");
+        return Some(format!("'{word}' is not in this version; allowed: {known}, or a DENSITY"));
+    }
+    let alike = |verb: &&str| strsim::jaro_winkler(word, verb);
+    let best = VERBS.into_iter().max_by(|a, b| alike(a).total_cmp(&alike(b)))?;
+    (alike(&best) >= ALIKE)
+        .then(|| format!("unrecognized verb '{word}'; did you mean '{best}'?"))
+}

@@ -1,0 +1,205 @@
+//! `ray_test run` and `ray_test reproduce`.
+
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+use super::arguments::{Batch, Reproduce, Run};
+use super::failure::Failure;
+use super::folder::{Folder, Source, built_in_sources};
+use super::{interrupt, progress};
+use crate::experiment::{Bench, Experiment, Plan, Profile, SECONDS_PER_BLOCK, Workload, run as run_plan};
+use crate::level::levels;
+use crate::measure::{Environment, InvoluntarySwitches, WallClock};
+use crate::workload::hash::Fnv;
+
+/// Experiments from files.
+pub fn run(arguments: &Run) -> Result<(), Failure> {
+    let mut sources = Vec::new();
+    for path in &arguments.configs {
+        let text = std::fs::read_to_string(path).map_err(|error| {
+            Failure::Usage(format!("{}: {error}; allowed: a TOML file", path.display()))
+        })?;
+        sources.push((path.display().to_string(), text));
+    }
+    carry_out(sources, &arguments.batch)
+}
+
+/// The experiments that are compiled in.
+pub fn reproduce(arguments: &Reproduce) -> Result<(), Failure> {
+    carry_out(built_in_sources(), &arguments.batch)
+}
+
+/// Everything that can be refused is refused before anything runs.
+fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
+    let plans = plans(&sources, batch)?;
+    let profile = batch.profile.value();
+    if batch.dry_run {
+        return dry_run(&plans, profile);
+    }
+    let mut environment = Environment::capture(&mut WallClock::new());
+    environment.levels = levels()
+        .into_iter()
+        .filter_map(|(level, available)| available.then(|| level.to_owned()))
+        .collect();
+    let folder = Folder::create(batch.out.as_deref(), config_hash(&sources, batch), environment)?;
+    eprintln!(
+        "{} experiments, about {} s; results in {}",
+        plans.len(),
+        plans.iter().map(|plan| estimate(plan, profile).total()).sum::<f64>().ceil(),
+        folder.path().display()
+    );
+    measure(&plans, batch, &folder)
+}
+
+fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
+    let filter = batch.filter.as_deref().map(regex::Regex::new).transpose().map_err(|error| {
+        Failure::Usage(format!("--filter: not a regular expression: {error}"))
+    })?;
+    let mut plans: Vec<Plan> = Vec::new();
+    for (origin, text) in sources {
+        let plan = Plan::new(origin, Experiment::parse(origin, text)?, filter.as_ref())?;
+        if plans.iter().any(|other| other.experiment.id == plan.experiment.id) {
+            return Err(Failure::Usage(format!(
+                "{origin}: id '{}' stands in two files; allowed: one",
+                plan.experiment.id
+            )));
+        }
+        plans.push(plan);
+    }
+    if filter.is_some() {
+        plans.retain(|plan| !plan.variants.is_empty());
+        if plans.is_empty() {
+            return Err(Failure::Usage(
+                "--filter: no experiment has a variant that matches; `ray_test list variants` \
+                 shows the ids"
+                    .to_owned(),
+            ));
+        }
+    }
+    Ok(plans)
+}
+
+/// What an experiment is expected to take, in seconds.
+struct Estimate {
+    timing: f64,
+    clock_free: f64,
+    drawing: f64,
+}
+
+impl Estimate {
+    fn total(&self) -> f64 {
+        self.timing + self.clock_free + self.drawing
+    }
+}
+
+/// Blocks take their time by design; drawing pairs, the exact answers and the check of each
+/// variant were measured at about these rates, and a figure takes a few milliseconds.
+fn estimate(plan: &Plan, profile: Profile) -> Estimate {
+    let timing = plan.blocks(profile) as f64 * SECONDS_PER_BLOCK;
+    let checked = (plan.cells().len() * plan.variants.len()) as f64;
+    let clock_free = match &plan.experiment.workload {
+        Workload::Codes(codes) => 0.4e-6 * (codes.pairs * plan.variants.len()) as f64,
+        _ => 2e-3 * checked + 10e-3 * plan.cells().len() as f64,
+    };
+    Estimate { timing, clock_free, drawing: 5e-3 * plan.experiment.figure.len() as f64 }
+}
+
+fn dry_run(plans: &[Plan], profile: Profile) -> Result<(), Failure> {
+    let mut sum = Estimate { timing: 0.0, clock_free: 0.0, drawing: 0.0 };
+    println!(
+        "{:<14}{:>9}{:>7}{:>9}{:>12}{:>13}{:>12}",
+        "experiment", "variants", "cells", "blocks", "timing s", "clock-free s", "drawing s"
+    );
+    for plan in plans {
+        let one = estimate(plan, profile);
+        println!(
+            "{:<14}{:>9}{:>7}{:>9}{:>12.1}{:>13.1}{:>12.1}",
+            plan.experiment.id,
+            plan.variants.len(),
+            plan.cells().len(),
+            plan.blocks(profile),
+            one.timing,
+            one.clock_free,
+            one.drawing
+        );
+        sum.timing += one.timing;
+        sum.clock_free += one.clock_free;
+        sum.drawing += one.drawing;
+    }
+    println!(
+        "{:<39}{:>12.1}{:>13.1}{:>12.1}  in all {:.0} s",
+        "",
+        sum.timing,
+        sum.clock_free,
+        sum.drawing,
+        sum.total()
+    );
+    Ok(())
+}
+
+/// Runs plan by plan; each is saved when it is done, and saved as unfinished when interrupted.
+fn measure(plans: &[Plan], batch: &Batch, folder: &Folder) -> Result<(), Failure> {
+    let profile = batch.profile.value();
+    let cancel = interrupt::flag();
+    let bar = progress::bar(plans.iter().map(|plan| plan.blocks(profile)).sum());
+    let (mut clock, mut disturbance) = (WallClock::new(), InvoluntarySwitches);
+    let mut wrong: Vec<String> = Vec::new();
+    for plan in plans {
+        let id = plan.experiment.id.clone();
+        if batch.resume && folder.is_finished(&id)? {
+            bar.inc(plan.blocks(profile) as u64);
+            eprintln!("{id}: finished before");
+            continue;
+        }
+        bar.set_message(id.clone());
+        let start = Instant::now();
+        let outcome = run_plan(
+            plan,
+            &mut Bench {
+                rounds: profile.rounds(),
+                clock: &mut clock,
+                disturbance: &mut disturbance,
+                progress: &mut |blocks| bar.inc(blocks as u64),
+                cancel,
+            },
+        )?;
+        let figures = folder.save(plan, &outcome)?;
+        bar.suspend(|| said(&id, &outcome, figures.len(), start.elapsed()));
+        wrong.extend(outcome.wrong.iter().map(|variant| format!("{id}: {variant}")));
+        if cancel.load(Ordering::Relaxed) {
+            eprintln!("what was measured is in {}; --resume goes on", folder.path().display());
+            return Err(Failure::Interrupted);
+        }
+    }
+    bar.finish_and_clear();
+    println!("{}", folder.path().display());
+    if wrong.is_empty() { Ok(()) } else { Err(Failure::Wrong(wrong)) }
+}
+
+/// A line per experiment, on stderr.
+fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Duration) {
+    let of = |status: &str| outcome.rows.iter().filter(|row| row.status == status).count();
+    let mut notes = String::new();
+    for status in ["skipped", "wrong-result", "invalid", "not-measured"] {
+        if of(status) > 0 {
+            notes += &format!(", {} {status}", of(status));
+        }
+    }
+    eprintln!(
+        "{id}: {} rows, {figures} figures, {:.1} s{notes}",
+        outcome.rows.len(),
+        time.as_secs_f64()
+    );
+}
+
+/// Files, profile and filter: what must be the same for a run to be gone on with.
+fn config_hash(sources: &[Source], batch: &Batch) -> u64 {
+    let mut hash = Fnv::default();
+    for (origin, text) in sources {
+        hash.bytes(origin.as_bytes());
+        hash.bytes(text.as_bytes());
+    }
+    hash.bytes(format!("{:?}", batch.profile).as_bytes());
+    hash.bytes(batch.filter.as_deref().unwrap_or("").as_bytes());
+    hash.finish()
+}

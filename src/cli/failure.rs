@@ -1,0 +1,71 @@
+//! What went wrong, and the exit code for it.
+
+/// A failure with its exit code.
+#[derive(Debug)]
+pub enum Failure {
+    /// 1: something failed at run time.
+    Runtime(anyhow::Error),
+    /// 2: wrong usage, config or input; nothing ran.
+    Usage(String),
+    /// 4: these variants gave a wrong answer where they claim a right one.
+    Wrong(Vec<String>),
+    /// 130: interrupted; what was measured is saved.
+    Interrupted,
+    /// 0: whoever read our output has gone.
+    Unheard,
+}
+
+impl Failure {
+    /// The exit code.
+    pub fn code(&self) -> u8 {
+        match self {
+            Failure::Unheard => 0,
+            Failure::Runtime(_) => 1,
+            Failure::Usage(_) => 2,
+            Failure::Wrong(_) => 4,
+            Failure::Interrupted => 130,
+        }
+    }
+
+    /// Says it on stderr.
+    pub fn print(&self) {
+        match self {
+            Failure::Unheard => {}
+            Failure::Runtime(error) => eprintln!("error: {error:#}"),
+            Failure::Usage(message) => eprintln!("error: {message}"),
+            Failure::Wrong(ids) => eprintln!(
+                "error: a wrong answer, not timed (reasons are in the rows):\n  {}",
+                ids.join("\n  ")
+            ),
+            Failure::Interrupted => eprintln!("interrupted"),
+        }
+    }
+}
+
+impl From<std::io::Error> for Failure {
+    fn from(error: std::io::Error) -> Self {
+        if error.kind() == std::io::ErrorKind::BrokenPipe {
+            Failure::Unheard
+        } else {
+            Failure::Runtime(error.into())
+        }
+    }
+}
+
+impl From<crate::table::TableError> for Failure {
+    fn from(error: crate::table::TableError) -> Self {
+        Failure::Runtime(error.into())
+    }
+}
+
+impl From<crate::experiment::RunError> for Failure {
+    fn from(error: crate::experiment::RunError) -> Self {
+        Failure::Runtime(error.into())
+    }
+}
+
+impl From<crate::experiment::ConfigError> for Failure {
+    fn from(error: crate::experiment::ConfigError) -> Self {
+        Failure::Usage(error.to_string())
+    }
+}

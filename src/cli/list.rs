@@ -1,0 +1,81 @@
+//! `ray_test list`: what there is.
+
+use serde_json::{Value, json};
+
+use super::arguments::{List, Listed};
+use super::failure::Failure;
+use super::folder::built_in;
+use super::show::{Sheet, print};
+use crate::level::levels;
+use crate::registry::{COLUMNS, kernels, variants};
+
+/// The claims of the documents, one per line: id, source and statement, with ` | ` between them.
+const CLAIMS: &str = include_str!("../../configs/published/claims.txt");
+
+/// Prints what was asked for.
+pub fn run(arguments: &List) -> Result<(), Failure> {
+    let sheet = match arguments.what {
+        Listed::Kernels => list_kernels(),
+        Listed::Variants => list_variants(),
+        Listed::Experiments => list_experiments()?,
+        Listed::Claims => list_claims(),
+        Listed::Levels => list_levels(),
+    };
+    print(&sheet, arguments.format)
+}
+
+fn list_kernels() -> Sheet {
+    let row = |variant: &&crate::registry::Variant| -> Vec<Value> {
+        let about = variant.about;
+        vec![
+            json!(about.id),
+            json!(about.name),
+            json!(about.year),
+            json!(about.source),
+            json!(about.setup),
+            json!(variant.bytes_per_triangle),
+            json!(about.watertight),
+        ]
+    };
+    Sheet {
+        columns: vec!["id", "name", "year", "source", "setup", "bytes_per_triangle", "watertight"],
+        rows: kernels().iter().map(row).collect(),
+    }
+}
+
+fn list_variants() -> Sheet {
+    let mut columns = vec!["id", "available"];
+    columns.extend(COLUMNS);
+    let row = |variant: &crate::registry::Variant| -> Vec<Value> {
+        let mut row = vec![json!(variant.id()), json!((variant.available)())];
+        row.extend(variant.axes.values().map(|value| json!(value)));
+        row
+    };
+    Sheet { columns, rows: variants().iter().map(row).collect() }
+}
+
+fn list_experiments() -> Result<Sheet, Failure> {
+    let mut rows = Vec::new();
+    for (file, experiment) in built_in()? {
+        rows.push(vec![
+            json!(experiment.id),
+            json!(experiment.title),
+            json!(experiment.mirrors),
+            json!(file),
+        ]);
+    }
+    Ok(Sheet { columns: vec!["id", "title", "mirrors", "config"], rows })
+}
+
+fn list_claims() -> Sheet {
+    let row = |line: &str| -> Vec<Value> {
+        line.splitn(3, " | ").map(|part| json!(part.trim())).collect()
+    };
+    let lines = CLAIMS.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
+    Sheet { columns: vec!["id", "source", "statement"], rows: lines.map(row).collect() }
+}
+
+fn list_levels() -> Sheet {
+    let row = |(id, available): (&str, bool)| vec![json!(id), json!(available)];
+    Sheet { columns: vec!["id", "available"], rows: levels().into_iter().map(row).collect() }
+}

@@ -1,0 +1,46 @@
+//! The command line: one file per verb.
+
+mod arguments;
+mod batch;
+mod failure;
+mod folder;
+mod interrupt;
+mod list;
+mod progress;
+mod show;
+mod thesis;
+
+use std::process::ExitCode;
+
+use arguments::{Arguments, Verb};
+use failure::Failure;
+
+/// Parses the arguments, runs the verb, and tells the exit code: 0 done, 1 failed at run time,
+/// 2 wrong usage, config or input, 4 a wrong answer, 130 interrupted.
+pub fn main() -> ExitCode {
+    let outcome = match arguments::parse() {
+        Ok(arguments) => run(arguments),
+        // Help and version are no failures; clap knows which stream they belong to.
+        Err(error) => {
+            let code = if error.use_stderr() { 2 } else { 0 };
+            let _ = error.print();
+            return ExitCode::from(code);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.print();
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+fn run(arguments: Arguments) -> Result<(), Failure> {
+    match arguments.verb {
+        None => thesis::run(&arguments.thesis),
+        Some(Verb::Run(run)) => batch::run(&run),
+        Some(Verb::Reproduce(reproduce)) => batch::reproduce(&reproduce),
+        Some(Verb::List(list)) => list::run(&list),
+    }
+}
