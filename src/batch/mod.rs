@@ -3,12 +3,14 @@
 //! A loop is generic over everything and compiled once per form; the data that it reads are
 //! generic over kernel and element only.
 
+mod arithmetic;
 mod data;
 mod listed;
 mod nearest;
 mod pairs;
 mod points;
 
+pub use arithmetic::{ArithmeticJob, OPERATIONS};
 pub use data::{NearestJob, NearestLoop, PairsJob, PairsLoop, widened};
 pub use listed::Listed;
 pub use nearest::Nearest;

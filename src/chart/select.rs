@@ -137,6 +137,7 @@ pub(super) fn joined(row: &Row, columns: &Names) -> String {
 fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
     let (low, high) = match column {
         "ratio_to_reference" => (row.ratio_low?, row.ratio_high?),
+        "price" => (row.price_low?, row.price_high?),
         "ns_per_test" => (row.ns_low?, row.ns_high?),
         "seconds" | "cycles_per_test" => {
             (y * row.ns_low? / row.ns_per_test?, y * row.ns_high? / row.ns_per_test?)

@@ -67,7 +67,7 @@ fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
         plans.push(plan);
     }
     if filter.is_some() {
-        plans.retain(|plan| !plan.variants.is_empty());
+        plans.retain(|plan| !plan.variants.is_empty() && plan.experiment.workload.has_variants());
         if plans.is_empty() {
             return Err(Failure::Usage(
                 "--filter: no experiment has a variant that matches; `ray_test list variants` \

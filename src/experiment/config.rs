@@ -28,7 +28,9 @@ pub struct Experiment {
     pub seed: u64,
     /// What the variants are run on.
     pub workload: Workload,
-    /// Regular expressions over variant ids; each must match something.
+    /// Regular expressions over variant ids; each must match something. None for workloads that
+    /// bring their own.
+    #[serde(default)]
     pub variants: Vec<String>,
     /// Id of the variant that ratios refer to.
     #[serde(default = "reference")]
@@ -68,7 +70,7 @@ impl Experiment {
                 self.id
             ));
         }
-        if self.variants.is_empty() && !matches!(self.workload, Workload::Counts) {
+        if self.variants.is_empty() && self.workload.has_variants() {
             return Err("variants: at least one regular expression is needed".to_owned());
         }
         self.workload.validate()?;

@@ -4,6 +4,7 @@
 //! Experiment (TOML) --select--> Plan --draw--> Scene --judge--> right variants --measure--> rows
 //! ```
 
+mod arithmetic;
 pub mod cells;
 mod codes;
 mod config;

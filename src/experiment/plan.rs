@@ -5,7 +5,7 @@ use super::config::{ConfigError, Experiment};
 use super::select::select;
 use super::workload::Workload;
 use crate::measure::{Order, Protocol};
-use crate::registry::{self, Variant};
+use crate::registry::{self, Variant, units};
 
 /// How much is measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -64,7 +64,7 @@ impl Plan {
 
     /// Whether there is anything to do.
     pub fn is_empty(&self) -> bool {
-        self.variants.is_empty() && !matches!(self.experiment.workload, Workload::Counts)
+        self.variants.is_empty() && self.experiment.workload.has_variants()
     }
 
     /// Cells: density and order of each scene; `None` for nearest-hit scenes.
@@ -80,7 +80,7 @@ impl Plan {
             Workload::Pairs(pairs) => product(&pairs.density, &pairs.orders),
             Workload::Points(points) => product(&points.density, &points.orders),
             Workload::Nearest(nearest) => nearest.orders.iter().map(|order| (None, *order)).collect(),
-            Workload::Codes(_) | Workload::Counts => Vec::new(),
+            Workload::Codes(_) | Workload::Counts | Workload::Arithmetic => Vec::new(),
         }
     }
 
@@ -95,6 +95,9 @@ impl Plan {
         if let Workload::Codes(codes) = &self.experiment.workload {
             // Up to six exits and the chain.
             return ready * codes.orders.len() * group(3);
+        }
+        if matches!(self.experiment.workload, Workload::Arithmetic) {
+            return group(units().len());
         }
         let full = ready / MOST_SUBJECTS * group(MOST_SUBJECTS);
         let rest = ready % MOST_SUBJECTS;

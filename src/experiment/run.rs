@@ -8,7 +8,7 @@ use super::plan::Plan;
 use super::rows::put_percent_slower;
 use super::scene::Scene;
 use super::workload::Workload;
-use super::{counts, points, prices};
+use super::{arithmetic, counts, points, prices};
 use crate::measure::{Order, ProtocolError};
 use crate::table::Row;
 use crate::workload::WorkloadError;
@@ -66,6 +66,10 @@ pub fn run(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, RunError> {
                 })?;
             outcome.take(measured);
         }
+        Workload::Arithmetic => {
+            let rows = arithmetic::run(&experiment.id, experiment.seed, bench);
+            outcome.rows = rows.map_err(protocol_error)?;
+        }
         _ => {
             for (density, order) in plan.cells() {
                 if bench.cancel.load(Ordering::Relaxed) {
@@ -104,7 +108,9 @@ fn scene(plan: &Plan, density: Option<f64>, order: Order) -> Result<Scene, Workl
         Workload::Pairs(pairs) => Scene::pairs(pairs, density.unwrap_or(0.5), order, seed),
         Workload::Points(points) => points::scene(points, density.unwrap_or(0.5), order, seed),
         Workload::Nearest(nearest) => Scene::nearest(nearest, order, seed),
-        Workload::Codes(_) | Workload::Counts => unreachable!("these have no cells"),
+        Workload::Codes(_) | Workload::Counts | Workload::Arithmetic => {
+            unreachable!("these have no cells")
+        }
     }
 }
 

@@ -19,6 +19,8 @@ pub enum Workload {
     Codes(CodesWorkload),
     /// Operations counted on the longest path; no clock.
     Counts,
+    /// Multiplications and additions alone, at every level.
+    Arithmetic,
 }
 
 /// Pairs at an exact hit density.
@@ -121,6 +123,11 @@ pub struct CodesWorkload {
 }
 
 impl Workload {
+    /// Whether it is variants that are run.
+    pub fn has_variants(&self) -> bool {
+        !matches!(self, Workload::Counts | Workload::Arithmetic)
+    }
+
     /// Refuses what can be seen to be wrong before anything runs.
     pub(super) fn validate(&self) -> Result<(), String> {
         match self {
@@ -128,7 +135,7 @@ impl Workload {
             Workload::Nearest(nearest) => nearest.validate(),
             Workload::Points(points) => points.validate(),
             Workload::Codes(codes) => codes.validate(),
-            Workload::Counts => Ok(()),
+            Workload::Counts | Workload::Arithmetic => Ok(()),
         }
     }
 }

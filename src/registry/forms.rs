@@ -7,7 +7,7 @@ use crate::kernels::{
     WithNormal,
 };
 use crate::level::{self, Level, On, enter};
-use crate::number::{Element, Real};
+use crate::number::Element;
 use crate::policy::{
     Between, Compare, Cull, Distance, Division, Early, Exit, Facing, First, Form, FromZero, Full,
     Fused, Hit, Inside, Last, Leading, Output, Plain, Policy, Products, Ray, Rounding, SignBits,

@@ -1,10 +1,12 @@
 //! Every variant that is built: its axes, its id, and how to bind it to a workload.
 
+mod arithmetic;
 mod axes;
 mod forms;
 mod listings;
 mod points;
 
+pub use arithmetic::{Unit, units};
 pub use axes::{Axes, COLUMNS};
 
 use std::sync::LazyLock;

@@ -1,0 +1,70 @@
+//! Multiplications and additions alone: how much wider registers can gain at most.
+
+use super::cells::Bench;
+use super::rows::put_figures;
+use crate::batch::OPERATIONS;
+use crate::measure::{
+    BuildInfo, Chain, Contestant, Order, Progress, Protocol, ProtocolError, Role, Surroundings,
+    measure_group,
+};
+use crate::registry::units;
+use crate::table::Row;
+
+/// A row per level and precision; a `test` is one multiplication or addition of one lane. Ratios
+/// refer to the first unit, the narrowest.
+///
+/// # Errors
+/// A group that cannot be measured.
+pub fn run(
+    experiment: &str,
+    seed: u64,
+    bench: &mut Bench<'_>,
+) -> Result<Vec<Row>, ProtocolError> {
+    let mut rows = Vec::new();
+    let mut contestants = Vec::new();
+    let mut places = Vec::new();
+    for unit in units() {
+        let mut row = Row {
+            id: format!("arithmetic/{}/packet{}/{}", unit.precision, unit.lanes, unit.level),
+            experiment: experiment.into(),
+            kernel: "arithmetic".into(),
+            precision: unit.precision.into(),
+            drive: format!("packet{}", unit.lanes),
+            level: unit.level.into(),
+            rounding: "plain".into(),
+            workload: "arithmetic".into(),
+            order: Order::Fixed.word().into(),
+            tests: Some(OPERATIONS * unit.lanes as u64),
+            build: BuildInfo::of_this_program().label(),
+            seed: Some(seed),
+            ..Row::default()
+        };
+        if (unit.available)() {
+            let role = if contestants.is_empty() { Role::Reference } else { Role::Subject };
+            contestants.push(Contestant::new(row.id.clone(), role, (unit.job)()));
+            places.push(rows.len());
+        } else {
+            row.status = "skipped".into();
+            row.reason = format!("no {}", unit.level);
+        }
+        rows.push(row);
+    }
+    contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
+    let protocol = Protocol { rounds: bench.rounds, ..Protocol::new(Order::Fixed, seed) };
+    let mut done = 0;
+    let mut tell = |progress: Progress| {
+        (bench.progress)(progress.done_blocks.saturating_sub(done));
+        done = progress.done_blocks;
+    };
+    let mut surroundings = Surroundings {
+        clock: bench.clock,
+        disturbance: bench.disturbance,
+        progress: &mut tell,
+        cancel: bench.cancel,
+    };
+    let report = measure_group(&mut contestants, &protocol, &mut surroundings)?;
+    for (place, figures) in places.into_iter().zip(&report.figures) {
+        put_figures(&mut rows[place], figures, "ok");
+    }
+    Ok(rows)
+}
