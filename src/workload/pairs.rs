@@ -107,13 +107,25 @@ impl PairSpec {
     /// # Errors
     /// For a count or a density that is not allowed.
     pub fn hits(&self) -> Result<usize, WorkloadError> {
-        counted("number of pairs", self.count, 1, MOST_PAIRS)?;
-        if !(0.0..=1.0).contains(&self.density) {
-            return Err(WorkloadError::Density { value: self.density });
-        }
-        // At most 2^24: the product's rounding cannot lift it past the count.
-        Ok((self.density * self.count as f64 + 0.5).floor() as usize)
+        quota("number of pairs", self.count, self.density)
     }
+}
+
+/// Number of `count` things that a density asks for, rounded half up.
+///
+/// # Errors
+/// For a count or a density that is not allowed.
+pub(super) fn quota(
+    what: &'static str,
+    count: usize,
+    density: f64,
+) -> Result<usize, WorkloadError> {
+    counted(what, count, 1, MOST_PAIRS)?;
+    if !(0.0..=1.0).contains(&density) {
+        return Err(WorkloadError::Density { value: density });
+    }
+    // At most 2^24: the product's rounding cannot lift it past the count.
+    Ok((density * count as f64 + 0.5).floor() as usize)
 }
 
 /// A set of pairs: ray i belongs to triangle i.
@@ -222,7 +234,7 @@ fn wound(winding: Winding, standing: &Standing, triangle: Triangle) -> Triangle 
 
 /// Spreads hits among misses as evenly as whole pairs allow (Bresenham's line): after i pairs,
 /// `floor(i * hits / count)` of them have hit.
-fn interleaved(hits: Vec<Pair>, misses: Vec<Pair>) -> impl Iterator<Item = Pair> {
+pub(super) fn interleaved(hits: Vec<Pair>, misses: Vec<Pair>) -> impl Iterator<Item = Pair> {
     let (many, count) = (hits.len() as u64, (hits.len() + misses.len()) as u64);
     let (mut hits, mut misses) = (hits.into_iter(), misses.into_iter());
     (0..count).filter_map(move |i| {

@@ -110,11 +110,27 @@ fn substitution_is_clear(e1: [f64; 3], e2: [f64; 3], n: [f64; 3]) -> bool {
 /// Square of the longest edge over twice the area: 1.15 for an equilateral triangle; not finite
 /// for one without area.
 pub fn aspect(triangle: &Triangle) -> f64 {
+    let n = normal(triangle);
+    longest_squared(triangle) / dot(n, n).sqrt()
+}
+
+/// Square of the longest edge.
+pub fn longest_squared(triangle: &Triangle) -> f64 {
     let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(wide);
     let (e1, e2, e3) = (minus(b, a), minus(c, a), minus(c, b));
-    let n = cross(e1, e2);
-    let longest = dot(e1, e1).max(dot(e2, e2)).max(dot(e3, e3));
-    longest / dot(n, n).sqrt()
+    dot(e1, e1).max(dot(e2, e2)).max(dot(e3, e3))
+}
+
+/// Distance of a point from the triangle's plane; NaN for a triangle without area.
+pub fn off_plane(point: Vec3, triangle: &Triangle) -> f64 {
+    let n = normal(triangle);
+    dot(n, minus(wide(point), wide(triangle.a))).abs() / dot(n, n).sqrt()
+}
+
+/// (b - a) x (c - a)
+fn normal(triangle: &Triangle) -> [f64; 3] {
+    let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(wide);
+    cross(minus(b, a), minus(c, a))
 }
 
 fn wide(p: Vec3) -> [f64; 3] {

@@ -32,7 +32,8 @@ pub(super) fn draw(source: &mut impl Unit, query: QueryKind) -> (Ray, Triangle) 
     (query.ray(origin, end), Triangle { a, b, c })
 }
 
-fn point(source: &mut impl Unit) -> Vec3 {
+/// A point of the unit cube.
+pub(super) fn point(source: &mut impl Unit) -> Vec3 {
     // One statement a draw: the order of draws is part of the workload.
     let x = source.unit();
     let y = source.unit();
