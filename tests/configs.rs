@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 19] = [
+const IDS: [&str; 20] = [
+    "arithmetic",
     "b-4.1",
     "b-4.10",
     "b-4.2",

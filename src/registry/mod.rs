@@ -120,26 +120,3 @@ fn bind_nearest<E: Element, T: Copy + 'static>(
         Box::new(NearestJob::new(lanes, &rays, records, run))
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use std::collections::BTreeSet;
-
-    use super::*;
-
-    /// Growth is a decision: 1 400 after issue A, 2 000 after C, 2 400 after D.
-    const BUDGET: usize = 1_400;
-
-    #[test]
-    fn the_number_of_variants_is_within_its_budget() {
-        let count = variants().len();
-        assert!(count <= BUDGET, "{count} variants, budget {BUDGET}");
-    }
-
-    #[test]
-    fn no_two_variants_share_an_id() {
-        let ids: BTreeSet<String> = variants().iter().map(Variant::id).collect();
-        assert_eq!(ids.len(), variants().len());
-        assert!(ids.contains(REFERENCE));
-    }
-}

@@ -1,0 +1,75 @@
+//! What is built: how many variants, their ids, and that placebos are copies at other addresses.
+
+use std::collections::BTreeSet;
+
+use ray_test::registry::{REFERENCE, Variant, find, kernels, placebos, variants};
+
+/// Growth is a decision: 1 400 now, 2 000 with the stiff cases, 2 400 with groups and layouts.
+const BUDGET: usize = 1_400;
+
+#[test]
+fn the_number_of_variants_is_within_its_budget() {
+    let count = variants().len();
+    assert!(count <= BUDGET, "{count} variants, budget {BUDGET}");
+}
+
+#[test]
+fn no_two_variants_share_an_id() {
+    let ids: BTreeSet<String> = variants().iter().map(Variant::id).collect();
+    assert_eq!(ids.len(), variants().len());
+    assert!(ids.contains(REFERENCE));
+    assert!(find(REFERENCE).is_some());
+}
+
+#[test]
+fn every_kernel_of_the_theses_is_there() {
+    let ids: Vec<&str> = kernels().iter().map(|variant| variant.about.id).collect();
+    for id in [
+        "moller-trumbore",
+        "moller0",
+        "moller1",
+        "moller2",
+        "moller3",
+        "kensler-shirley",
+        "shevtsov",
+        "badouel",
+        "badouel-cramer",
+        "wald",
+        "keidy",
+        "perpendicular-planes",
+        "chirkov",
+        "chirkov-line",
+        "plucker",
+        "half-spaces",
+        "signed-areas",
+        "angle-sum",
+    ] {
+        assert!(ids.contains(&id), "{id} is missing");
+    }
+}
+
+#[test]
+fn records_have_the_published_sizes() {
+    let bytes = |id: &str| find(id).map(|variant| variant.bytes_per_triangle);
+    for (id, wanted) in [
+        ("moller-trumbore/f32/single/sse2/early/last/plain/tuv", 36),
+        ("kensler-shirley/f32/single/sse2/early/last/plain/tuv", 36),
+        ("kensler-shirley/f32/single/sse2/early/last/plain/tuv/stored=normal", 48),
+        ("kensler-shirley/f32/single/sse2/early/last/plain/tuv/stored=precomputed", 48),
+        ("shevtsov/f32/single/sse2/early/last/plain/tuv", 48),
+        ("wald/f32/single/sse2/early/last/plain/tuv", 48),
+        ("perpendicular-planes/f32/single/sse2/early/last/plain/tuv", 48),
+        ("badouel/f32/single/sse2/early/first/plain/t", 64),
+        ("chirkov-line/f32/single/sse2/early/last/plain/t", 64),
+    ] {
+        assert_eq!(bytes(id), Some(wanted), "{id}");
+    }
+}
+
+#[test]
+fn there_are_several_placebos_of_the_reference() {
+    assert!(placebos().len() >= 2);
+    for placebo in placebos() {
+        assert!(placebo.id().starts_with(REFERENCE), "{}", placebo.id());
+    }
+}
