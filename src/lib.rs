@@ -1,9 +1,12 @@
 //! ray_test
 #![forbid(unsafe_code)]
 
+pub mod accuracy;
 pub mod batch;
 #[cfg(feature = "cli")]
 pub mod chart;
+#[cfg(feature = "cli")]
+pub mod cli;
 #[cfg(feature = "cli")]
 pub mod experiment;
 pub mod job;
@@ -12,12 +15,9 @@ pub mod level;
 pub mod measure;
 pub mod number;
 pub mod oracle;
-pub mod accuracy;
 pub mod policy;
 pub mod registry;
 pub mod stats;
 #[cfg(feature = "cli")]
 pub mod table;
 pub mod workload;
-#[cfg(feature = "cli")]
-pub mod cli;

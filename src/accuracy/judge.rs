@@ -54,7 +54,11 @@ impl Judgement {
         let t = (answer.t / exact.t_scale - exact.exact.t) - exact.exact.t_lo;
         let u = (answer.u - exact.exact.u) - exact.exact.u_lo;
         let v = (answer.v - exact.exact.v) - exact.exact.v_lo;
-        let outputs = [("t", t, limits[0], reported.t), ("u", u, limits[1], reported.uv), ("v", v, limits[2], reported.uv)];
+        let outputs = [
+            ("t", t, limits[0], reported.t),
+            ("u", u, limits[1], reported.uv),
+            ("v", v, limits[2], reported.uv),
+        ];
         for (name, error, limit, _) in outputs.into_iter().filter(|output| output.3) {
             if !error.is_finite() {
                 self.non_finite += 1;
@@ -150,8 +154,7 @@ pub fn judge_nearest(
             (None, None) => {}
             (Some(found), Some((wanted, exact))) if found == *wanted || !reported.t => {
                 let query = Query::of(ray, &triangles[*wanted]);
-                let known =
-                    Known { exact, condition: condition(&query, exact), t_scale: 1.0 };
+                let known = Known { exact, condition: condition(&query, exact), t_scale: 1.0 };
                 judgement.outputs(place, answer, &known, reported);
             }
             (found, wanted) => {

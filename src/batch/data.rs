@@ -62,15 +62,12 @@ impl<E: Element, T: Copy> Job for PairsJob<E, T> {
         let mut tally = Tally::default();
         let pairs = self.laid_out.as_slice();
         if block.literal {
-            for first in block.first..block.first + block.items {
-                tally =
-                    tally.plus((self.run)(Walk { pairs, first, step: 0, count: block.repeats }));
+            for pair in pairs[block.first..][..block.items].chunks_exact(1) {
+                tally = tally.plus((self.run)(Walk { pairs: pair, times: block.repeats }));
             }
         } else {
-            for _ in 0..block.repeats {
-                let walk = Walk { pairs, first: block.first, step: 1, count: block.items };
-                tally = tally.plus((self.run)(walk));
-            }
+            let pairs = &pairs[block.first..][..block.items];
+            tally = (self.run)(Walk { pairs, times: block.repeats });
         }
         tally
     }
@@ -84,8 +81,8 @@ impl<E: Element, T: Copy> Job for PairsJob<E, T> {
     fn answers(&mut self) -> Vec<Answer> {
         let mut answers = Vec::with_capacity(self.original.len());
         for (first, (ray, record)) in self.original.iter().enumerate() {
-            let pairs = self.original.as_slice();
-            let tally = (self.run)(Walk { pairs, first, step: 1, count: 1 });
+            let pairs = &self.original[first..=first];
+            let tally = (self.run)(Walk { pairs, times: 1 });
             let number = |i: usize| E::from_bits(tally.bits[i]).to_f64();
             answers.push(Answer {
                 triangle: (tally.hits > 0).then_some(first),

@@ -27,17 +27,16 @@ where
     #[inline(always)]
     fn run(_: L::Token, walk: Self::Data<'_>) -> Tally {
         let mut sums = Sums::default();
-        let mut at = walk.first;
-        for _ in 0..walk.count {
-            black_box(());
-            let Some((ray, record)) = walk.pairs.get(at) else { break };
-            at += walk.step;
-            let (code, t, u, v) = K::run::<E, S, UV>(ray, record);
-            if code == 0 {
-                if UV {
-                    sums.add(true, &[t, u, v]);
-                } else {
-                    sums.add(true, &[t]);
+        for _ in 0..walk.times {
+            for (ray, record) in walk.pairs {
+                black_box(());
+                let (code, t, u, v) = K::run::<E, S, UV>(ray, record);
+                if code == 0 {
+                    if UV {
+                        sums.add(u64::MAX, &[t, u, v]);
+                    } else {
+                        sums.add(u64::MAX, &[t]);
+                    }
                 }
             }
         }

@@ -17,8 +17,8 @@ pub use nearest::Nearest;
 pub use pairs::Pairs;
 pub use points::Points;
 
-use crate::number::{Element, Mask, Real, Vec3};
-use crate::policy::{Found, Output, Policy, Ray};
+use crate::number::{Element, Real, Vec3};
+use crate::policy::{Exit, Found, Output, Policy, Ray};
 
 /// Sums of the outputs of hits, in the bit patterns of [`crate::job::Tally`].
 #[derive(Clone, Copy, Default)]
@@ -28,11 +28,10 @@ struct Sums {
 }
 
 impl Sums {
-    /// Adds a hit, or nothing: without a branch, so that `full` forms stay free of jumps.
+    /// Adds a hit (`keep` has all bits set), or nothing (none).
     #[inline(always)]
-    fn add<E: Element>(&mut self, hit: bool, outputs: &[E]) {
-        self.hits += u64::from(hit);
-        let keep = u64::from(hit).wrapping_neg();
+    fn add<E: Element>(&mut self, keep: u64, outputs: &[E]) {
+        self.hits = self.hits.wrapping_sub(keep);
         for (sum, output) in self.bits.iter_mut().zip(outputs) {
             *sum = sum.wrapping_add(output.bits() & keep);
         }
@@ -43,16 +42,17 @@ impl Sums {
 #[inline(always)]
 fn report<P: Policy, E: Element>(sums: &mut Sums, ray: &Ray<E>, found: &Found<E>, normal: Vec3<E>) {
     let Found { hit, t, u, v } = *found;
+    let keep = P::Exit::spread(hit);
     if P::Output::SURFACE {
         let [x, y, z] = surface_point(ray.origin, ray.direction, t).0;
         let [nx, ny, nz] = normal.0;
-        sums.add(hit.lane(0), &[t, u, v, x, y, z, nx, ny, nz]);
+        sums.add(keep, &[t, u, v, x, y, z, nx, ny, nz]);
     } else if P::Output::UV {
-        sums.add(hit.lane(0), &[t, u, v]);
+        sums.add(keep, &[t, u, v]);
     } else if P::Output::T {
-        sums.add(hit.lane(0), &[t]);
+        sums.add(keep, &[t]);
     } else {
-        sums.add::<E>(hit.lane(0), &[]);
+        sums.add::<E>(keep, &[]);
     }
 }
 

@@ -13,17 +13,13 @@ use crate::policy::{Policy, Ray};
 /// One loop over pairs: each pair is stored whole, so that a test reads one stretch of memory.
 pub struct Pairs<K, P, E>(PhantomData<(K, P, E)>);
 
-/// What a loop over pairs reads: the pairs, where to start, how far to go on from test to test
-/// (0 repeats one pair in a row), and the number of tests.
+/// What a loop over pairs reads. Two loops, because an index that is stepped by 0 or 1 would need a
+/// bounds check, and its jump, in every test.
 pub struct Walk<'a, T> {
-    /// Ray and record of every pair.
+    /// Ray and record of every pair; one pair where it is repeated in a row.
     pub pairs: &'a [T],
-    /// The first pair; `first + step * (count - 1)` is below the number of pairs.
-    pub first: usize,
-    /// 0 or 1.
-    pub step: usize,
-    /// Number of tests.
-    pub count: usize,
+    /// How often they are done, from start to end.
+    pub times: usize,
 }
 
 impl<L: Level, K: Kernel, P: Policy, E: Element + On<L>> Batch<L> for Pairs<K, P, E> {
@@ -33,15 +29,14 @@ impl<L: Level, K: Kernel, P: Policy, E: Element + On<L>> Batch<L> for Pairs<K, P
     #[inline(always)]
     fn run(_: L::Token, walk: Self::Data<'_>) -> Tally {
         let mut sums = Sums::default();
-        let mut at = walk.first;
-        for _ in 0..walk.count {
-            // The fence: without it the optimiser tests several pairs at once where nothing branches.
-            black_box(());
-            let Some((ray, record)) = walk.pairs.get(at) else { break };
-            at += walk.step;
-            let met = K::meet::<P, E>((), record);
-            if let Ok(found) = K::test::<P, E>(ray, &met) {
-                report::<P, E>(&mut sums, ray, &found, K::normal::<P, E>(&met));
+        for _ in 0..walk.times {
+            for (ray, record) in walk.pairs {
+                // The fence: without it the optimiser tests several pairs at once where nothing branches.
+                black_box(());
+                let met = K::meet::<P, E>((), record);
+                if let Ok(found) = K::test::<P, E>(ray, &met) {
+                    report::<P, E>(&mut sums, ray, &found, K::normal::<P, E>(&met));
+                }
             }
         }
         Tally { hits: sums.hits, bits: sums.bits }

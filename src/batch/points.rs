@@ -9,7 +9,7 @@ use crate::job::Tally;
 use crate::kernels::PointTest;
 use crate::level::{Batch, Level, On};
 use crate::number::Element;
-use crate::policy::{Policy, Ray};
+use crate::policy::{Exit, Policy, Ray};
 
 /// The loop of [`super::Pairs`] around a point test; the point is the ray's `end`.
 pub struct Points<K, P, E>(PhantomData<(K, P, E)>);
@@ -21,14 +21,13 @@ impl<L: Level, K: PointTest, P: Policy, E: Element + On<L>> Batch<L> for Points<
     #[inline(always)]
     fn run(_: L::Token, walk: Self::Data<'_>) -> Tally {
         let mut sums = Sums::default();
-        let mut at = walk.first;
-        for _ in 0..walk.count {
-            black_box(());
-            let Some((ray, record)) = walk.pairs.get(at) else { break };
-            at += walk.step;
-            let met = K::meet::<P, E>((), record);
-            if let Ok((hit, u, v)) = K::contains::<P, E>(&ray.end, &met) {
-                sums.add(hit, &[E::ZERO, u, v]);
+        for _ in 0..walk.times {
+            for (ray, record) in walk.pairs {
+                black_box(());
+                let met = K::meet::<P, E>((), record);
+                if let Ok((hit, u, v)) = K::contains::<P, E>(&ray.end, &met) {
+                    sums.add(P::Exit::spread(hit), &[E::ZERO, u, v]);
+                }
             }
         }
         Tally { hits: sums.hits, bits: sums.bits }

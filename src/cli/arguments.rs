@@ -68,10 +68,14 @@ pub struct Thesis {
 #[derive(Subcommand, Debug)]
 pub enum Verb {
     /// Run experiments from TOML files
-    #[command(after_help = "Example:\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine")]
+    #[command(
+        after_help = "Example:\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine"
+    )]
     Run(Run),
     /// Run every built-in experiment
-    #[command(after_help = "Examples:\n  ray_test reproduce\n  ray_test reproduce --dry-run\n  ray_test reproduce --filter '^wald/' --out results/wald")]
+    #[command(
+        after_help = "Examples:\n  ray_test reproduce\n  ray_test reproduce --dry-run\n  ray_test reproduce --filter '^wald/' --out results/wald"
+    )]
     Reproduce(Reproduce),
     /// Show kernels, variants, experiments, claims or levels
     #[command(after_help = "Example:\n  ray_test list variants --format csv")]
@@ -204,8 +208,19 @@ words! {
 /// Words that are verbs of this program, now or in a later version: a lone one that is close to
 /// them is a slip, not a density.
 const VERBS: [&str; 13] = [
-    "run", "reproduce", "list", "check", "stability", "compare", "report", "scene", "render",
-    "recommend", "doctor", "completions", "help",
+    "run",
+    "reproduce",
+    "list",
+    "check",
+    "stability",
+    "compare",
+    "report",
+    "scene",
+    "render",
+    "recommend",
+    "doctor",
+    "completions",
+    "help",
 ];
 
 /// How alike two words must be to be taken for a slip (Jaro-Winkler, 1 is equal).
@@ -239,6 +254,5 @@ fn slip(word: &str) -> Option<String> {
     }
     let alike = |verb: &&str| strsim::jaro_winkler(word, verb);
     let best = VERBS.into_iter().max_by(|a, b| alike(a).total_cmp(&alike(b)))?;
-    (alike(&best) >= ALIKE)
-        .then(|| format!("unrecognized verb '{word}'; did you mean '{best}'?"))
+    (alike(&best) >= ALIKE).then(|| format!("unrecognized verb '{word}'; did you mean '{best}'?"))
 }

@@ -110,8 +110,7 @@ impl Folder {
         std::fs::create_dir_all(&folder)?;
         write_csv(&folder.join("rows.csv"), &outcome.rows)?;
         write_json(&folder.join("rows.json"), &self.run_file(plan, outcome)?)?;
-        let published =
-            Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
+        let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
         let mut figures = Vec::new();
         for figure in &plan.experiment.figure {
             let svg = draw(figure, &outcome.rows, &published)

@@ -38,7 +38,9 @@ pub fn print(sheet: &Sheet, format: Format) -> Result<(), Failure> {
 
 fn object(sheet: &Sheet, row: &[Value]) -> Value {
     let pairs = sheet.columns.iter().zip(row);
-    Value::Object(pairs.map(|(name, value)| ((*name).to_owned(), value.clone())).collect::<Map<_, _>>())
+    Value::Object(
+        pairs.map(|(name, value)| ((*name).to_owned(), value.clone())).collect::<Map<_, _>>(),
+    )
 }
 
 fn csv(sheet: &Sheet, out: &mut impl Write) -> Result<(), Failure> {

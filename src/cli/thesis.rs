@@ -115,7 +115,12 @@ fn line_form(id: &str, output: &str) -> Option<&'static Variant> {
         let plain = axes.precision == "f32" && axes.drive == "single" && axes.rounding == "plain";
         let usual = axes.cull == "off" && axes.tests == "compare" && axes.priced.is_empty();
         let native = axes.leading_is_native && axes.stored_is_native && axes.query == "ray";
-        axes.kernel == id && plain && usual && native && axes.exit == "early" && axes.output == output
+        axes.kernel == id
+            && plain
+            && usual
+            && native
+            && axes.exit == "early"
+            && axes.output == output
     };
     let mut forms: Vec<&Variant> = variants().iter().filter(fits).collect();
     forms.sort_by_key(|variant| variant.axes.division != "last");
@@ -184,7 +189,9 @@ fn measure(
     let hits = |job: &mut Box<dyn Job>| job.run(Block::whole(job.as_ref())).hits;
     let timed = chosen.iter().zip(&mut jobs).zip(nanoseconds);
     Ok(timed
-        .map(|(((word, variant), job), ns)| row(word, variant, scene, (order, repeats), ns, hits(job)))
+        .map(|(((word, variant), job), ns)| {
+            row(word, variant, scene, (order, repeats), ns, hits(job))
+        })
         .collect())
 }
 
@@ -243,8 +250,16 @@ fn row(
 }
 
 fn sheet(rows: &[Row]) -> Sheet {
-    let columns =
-        vec!["kernel", "density", "triangles", "repeats", "hits", "seconds", "ns_per_test", "percent_slower"];
+    let columns = vec![
+        "kernel",
+        "density",
+        "triangles",
+        "repeats",
+        "hits",
+        "seconds",
+        "ns_per_test",
+        "percent_slower",
+    ];
     let values = |row: &Row| -> Vec<Value> {
         vec![
             json!(row.kernel),

@@ -15,11 +15,7 @@ use crate::table::Row;
 ///
 /// # Errors
 /// A group that cannot be measured.
-pub fn run(
-    experiment: &str,
-    seed: u64,
-    bench: &mut Bench<'_>,
-) -> Result<Vec<Row>, ProtocolError> {
+pub fn run(experiment: &str, seed: u64, bench: &mut Bench<'_>) -> Result<Vec<Row>, ProtocolError> {
     let mut rows = Vec::new();
     let mut contestants = Vec::new();
     let mut places = Vec::new();

@@ -119,8 +119,7 @@ fn time(
 ) -> Result<(), ProtocolError> {
     let (places, mut contestants): (Vec<usize>, Vec<Contestant>) = group.into_iter().unzip();
     add_controls(&mut contestants, reference, scene);
-    let protocol =
-        Protocol { rounds: bench.rounds, ..Protocol::new(order, scene.facts.seed) };
+    let protocol = Protocol { rounds: bench.rounds, ..Protocol::new(order, scene.facts.seed) };
     let mut done = 0;
     let mut tell = |progress: Progress| {
         (bench.progress)(progress.done_blocks.saturating_sub(done));

@@ -6,7 +6,9 @@ use std::collections::BTreeMap;
 use super::cells::{Bench, Measured};
 use super::rows::{of_variant, put_figures};
 use super::workload::CodesWorkload;
-use crate::measure::{Chain, Contestant, Order, Progress, Protocol, Role, Surroundings, measure_group};
+use crate::measure::{
+    Chain, Contestant, Order, Progress, Protocol, Role, Surroundings, measure_group,
+};
 use crate::oracle::{Query, classify};
 use crate::registry::Variant;
 use crate::table::Row;
@@ -99,7 +101,8 @@ fn sort(
         triangles.push(triangle);
         drawn += 1;
         if rays.len() == BATCH || drawn == workload.pairs {
-            disagreements += tell_apart(variant, (&rays, &triangles), workload.timed_pairs, &mut exits);
+            disagreements +=
+                tell_apart(variant, (&rays, &triangles), workload.timed_pairs, &mut exits);
             rays.clear();
             triangles.clear();
         }

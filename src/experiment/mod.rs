@@ -21,7 +21,7 @@ mod workload;
 pub use cells::Bench;
 pub use config::{ConfigError, Experiment};
 pub use plan::{Plan, Profile, SECONDS_PER_BLOCK};
-pub use rows::{put_percent_slower, of_variant};
+pub use rows::{of_variant, put_percent_slower};
 pub use run::{Outcome, RunError, run};
 pub use scene::{Facts, Scene};
 pub use select::select;

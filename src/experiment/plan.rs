@@ -79,7 +79,9 @@ impl Plan {
         match &self.experiment.workload {
             Workload::Pairs(pairs) => product(&pairs.density, &pairs.orders),
             Workload::Points(points) => product(&points.density, &points.orders),
-            Workload::Nearest(nearest) => nearest.orders.iter().map(|order| (None, *order)).collect(),
+            Workload::Nearest(nearest) => {
+                nearest.orders.iter().map(|order| (None, *order)).collect()
+            }
             Workload::Codes(_) | Workload::Counts | Workload::Arithmetic => Vec::new(),
         }
     }

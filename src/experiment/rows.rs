@@ -100,7 +100,8 @@ pub fn put_percent_slower(rows: &mut [Row]) {
             continue;
         }
         let same = |other: &&Row| other.order == row.order && other.id == row.id;
-        let times: Vec<f64> = rows.iter().filter(same).filter_map(|other| other.ns_per_test).collect();
+        let times: Vec<f64> =
+            rows.iter().filter(same).filter_map(|other| other.ns_per_test).collect();
         let mean = times.iter().sum::<f64>() / times.len() as f64;
         means.push((row.order.clone(), row.id.clone(), mean));
     }

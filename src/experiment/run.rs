@@ -51,19 +51,19 @@ pub enum RunError {
 /// For workloads that cannot be drawn and groups that cannot be measured.
 pub fn run(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, RunError> {
     let experiment = &plan.experiment;
-    let workload_error =
-        |source| RunError::Workload { experiment: experiment.id.clone(), source };
-    let protocol_error =
-        |source| RunError::Protocol { experiment: experiment.id.clone(), source };
+    let workload_error = |source| RunError::Workload { experiment: experiment.id.clone(), source };
+    let protocol_error = |source| RunError::Protocol { experiment: experiment.id.clone(), source };
     let mut outcome = Outcome::default();
     match &experiment.workload {
         Workload::Counts => outcome.rows = counts::rows(&experiment.id),
         Workload::Codes(codes) => {
-            let measured = codes::run(&experiment.id, &plan.variants, codes, experiment.seed, bench)
-                .map_err(|error| match error {
-                    CodesError::Workload(source) => workload_error(source),
-                    CodesError::Protocol(source) => protocol_error(source),
-                })?;
+            let measured =
+                codes::run(&experiment.id, &plan.variants, codes, experiment.seed, bench).map_err(
+                    |error| match error {
+                        CodesError::Workload(source) => workload_error(source),
+                        CodesError::Protocol(source) => protocol_error(source),
+                    },
+                )?;
             outcome.take(measured);
         }
         Workload::Arithmetic => {
@@ -77,9 +77,8 @@ pub fn run(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, RunError> {
                 }
                 let scene = scene(plan, density, order).map_err(workload_error)?;
                 let (id, variants) = (&experiment.id, &plan.variants);
-                let mut measured =
-                    cells::run(id, variants, plan.reference, &scene, order, bench)
-                        .map_err(protocol_error)?;
+                let mut measured = cells::run(id, variants, plan.reference, &scene, order, bench)
+                    .map_err(protocol_error)?;
                 let priced = prices::rows(&measured.rows, &measured.figures, variants);
                 measured.rows.extend(priced);
                 outcome.take(measured);

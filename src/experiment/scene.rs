@@ -104,9 +104,11 @@ impl Scene {
         order: Order,
         seed: u64,
     ) -> Result<Self, WorkloadError> {
-        let rays = if order == Order::Reshuffled { workload.reshuffled_rays } else { workload.rays };
+        let rays =
+            if order == Order::Reshuffled { workload.reshuffled_rays } else { workload.rays };
         let kind = workload.coherence;
-        let set = NearestSet::draw(NearestSpec { triangles: workload.triangles, rays, kind, seed })?;
+        let set =
+            NearestSet::draw(NearestSpec { triangles: workload.triangles, rays, kind, seed })?;
         let facts = Facts {
             workload: format!("nearest-{}", kind.word()),
             query: QueryKind::Ray.word(),

@@ -10,9 +10,10 @@
 //! `tests=products` is the published comparison of two products with >= and <; `compare` asks for
 //! all three signs and obeys the law on boundaries.
 //! Stored: the vertices, n, n . a and the axis: 14 words (56 bytes in f32; the paper's record has 64).
-//! Operations of a hit: 35 x, 36 +-, 2 /.
+//! Operations of a hit: 35 x, 24 +-, 2 /, and per packet 6 -.
 //! Known weakness: f has degree 6 in the size of the triangle, so it leaves the range of f32 first.
 
+use super::shevtsov::pair;
 use super::stored::{plain_cross, plain_dot};
 use super::{About, Corners, Kernel};
 use crate::number::{Axis, Element, Real, Vec3, dominant};
@@ -30,6 +31,20 @@ pub struct Record<R> {
     w: u32,
 }
 
+/// The record in lanes: what the test needs of it along y and z.
+#[derive(Clone, Copy)]
+pub struct Met<R: Real> {
+    y: Axis<R::Mask>,
+    n: Vec3<R>,
+    nd: R,
+    nw: R,
+    a: [R; 2],
+    b: [R; 2],
+    ab: [R; 2],
+    ac: [R; 2],
+    bc: [R; 2],
+}
+
 impl Kernel for Chirkov {
     const ABOUT: About = About {
         id: "chirkov",
@@ -42,7 +57,7 @@ impl Kernel for Chirkov {
         codes: &["the segment does not cross the plane", "outside an edge", "t outside"],
     };
     type Record<E: Element> = Record<E>;
-    type Met<R: Real> = Record<R>;
+    type Met<R: Real> = Met<R>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Record<E> {
         let (e1, e2) = corners.edges();
@@ -51,17 +66,28 @@ impl Kernel for Chirkov {
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Record<R::Element>) -> Record<R> {
-        Record {
-            corners: Corners::splat(token, &record.corners),
+    fn meet<P: Policy, R: Real>(token: R::Token, record: &Record<R::Element>) -> Met<R> {
+        // Picking before broadcasting: the axis is the triangle's, and a component of a vector that
+        // is computed in a test would have to go through memory.
+        let w = Axis::<bool>::stored(record.w);
+        let (y, z) = (w.next(), w.next().next());
+        let [a, b, c] = [&record.corners.a, &record.corners.b, &record.corners.c];
+        let [a, b, c] = [[y.pick(a), z.pick(a)], [y.pick(b), z.pick(b)], [y.pick(c), z.pick(c)]];
+        Met {
+            y: Axis::stored(record.w).next(),
             n: Vec3::splat(token, record.n),
             nd: R::splat(token, record.nd),
-            w: record.w,
+            nw: R::splat(token, w.pick(&record.n)),
+            a: pair::<R>(token, a),
+            b: pair::<R>(token, b),
+            ab: pair::<R>(token, between(a, b)),
+            ac: pair::<R>(token, between(a, c)),
+            bc: pair::<R>(token, between(b, c)),
         }
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Record<R>) -> Result<Found<R>, Miss> {
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
         let zero = tri.nd.zero();
         let p = P::dot(tri.n, ray.origin) - tri.nd;
         let q = P::dot(tri.n, ray.end) - tri.nd;
@@ -69,13 +95,13 @@ impl Kernel for Chirkov {
         let apart = (p.ge(zero) & q.le(zero)) | (p.le(zero) & q.ge(zero));
         let hit = P::keep(apart & dd.ne(zero), 1)?;
 
-        let y = Axis::<R::Mask>::stored(tri.w).next();
-        let z = y.next();
-        let line = Line { y, z, p, dd, s: ray.end - ray.origin };
-        let Corners { a, b, c } = tri.corners;
-        let ab = line.side::<P>(b - a, ray.origin - a);
-        let ac = line.side::<P>(c - a, ray.origin - a);
-        let bc = line.side::<P>(c - b, ray.origin - b);
+        let (y, z) = (tri.y, tri.y.next());
+        let o = [y.pick(&ray.origin), z.pick(&ray.origin)];
+        let line = Line { p, dd, s: between(o, [y.pick(&ray.end), z.pick(&ray.end)]) };
+        let from_a = between(tri.a, o);
+        let ab = line.side::<P>(tri.ab, from_a);
+        let ac = line.side::<P>(tri.ac, from_a);
+        let bc = line.side::<P>(tri.bc, between(tri.b, o));
         let inside = if P::Tests::PRODUCTS {
             // The listing's second product has its edge negated, hence <= here for its >=.
             (ab * ac).le(zero) & (ab * bc).lt(zero)
@@ -86,8 +112,7 @@ impl Kernel for Chirkov {
 
         let (t, t_scale) = P::quotient(-p, P::dot(ray.direction, tri.n));
         let hit = P::keep_range(hit, ray, t, t_scale, 3)?;
-        let w = Axis::<R::Mask>::stored(tri.w);
-        let area = dd * w.pick(&tri.n);
+        let area = dd * tri.nw;
         let scale = Scale { factor: area, one: area };
         let inverse = Last::inverse(scale);
         let one = Scale { factor: area.one(), one: area.one() };
@@ -95,28 +120,31 @@ impl Kernel for Chirkov {
     }
 
     #[inline(always)]
-    fn normal<P: Policy, R: Real>(tri: &Record<R>) -> Vec3<R> {
+    fn normal<P: Policy, R: Real>(tri: &Met<R>) -> Vec3<R> {
         tri.n
     }
 }
 
-/// What the three edges share: two axes, the origin's distance, that of origin and end, and the
-/// segment.
+/// From one point to another, along two axes.
+#[inline(always)]
+fn between<R: Real>(from: [R; 2], to: [R; 2]) -> [R; 2] {
+    [to[0] - from[0], to[1] - from[1]]
+}
+
+/// What the three edges share: the origin's distance, that of origin and end, and the segment
+/// along y and z.
 struct Line<R: Real> {
-    y: Axis<R::Mask>,
-    z: Axis<R::Mask>,
     p: R,
     dd: R,
-    s: Vec3<R>,
+    s: [R; 2],
 }
 
 impl<R: Real> Line<R> {
     /// f of the module's text; `r` is the origin seen from a point of the edge.
     #[inline(always)]
-    fn side<P: Policy>(&self, edge: Vec3<R>, r: Vec3<R>) -> R {
-        let (ey, ez) = (self.y.pick(&edge), self.z.pick(&edge));
-        let turn = P::difference(ey, self.z.pick(&self.s), ez, self.y.pick(&self.s));
-        let base = P::difference(ey, self.z.pick(&r), ez, self.y.pick(&r));
+    fn side<P: Policy>(&self, [ey, ez]: [R; 2], [ry, rz]: [R; 2]) -> R {
+        let turn = P::difference(ey, self.s[1], ez, self.s[0]);
+        let base = P::difference(ey, rz, ez, ry);
         P::multiply_add(self.p, turn, self.dd * base)
     }
 }

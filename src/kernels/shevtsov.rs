@@ -44,6 +44,7 @@ pub struct TriAccel<E> {
 pub struct Met<R: Real> {
     w: Axis<R::Mask>,
     nw: R,
+    normal: Vec3<R>,
     np: R,
     n: [R; 2],
     a: [R; 2],
@@ -88,9 +89,12 @@ impl Kernel for Shevtsov {
 
     #[inline(always)]
     fn meet<P: Policy, R: Real>(token: R::Token, record: &TriAccel<R::Element>) -> Met<R> {
+        let plane = [record.n[0], record.n[1], R::Element::ONE];
+        let normal = unprojected(Axis::stored(record.w), plane, record.nw);
         Met {
             w: Axis::stored(record.w),
             nw: R::splat(token, record.nw),
+            normal: Vec3::splat(token, normal),
             np: R::splat(token, record.np),
             n: pair::<R>(token, record.n),
             a: pair::<R>(token, record.a),
@@ -121,12 +125,13 @@ impl Kernel for Shevtsov {
 
     #[inline(always)]
     fn normal<P: Policy, R: Real>(tri: &Met<R>) -> Vec3<R> {
-        unprojected::<R>(tri.w, [tri.n[0], tri.n[1], tri.nw.one()], tri.nw)
+        tri.normal
     }
 }
 
+/// Two numbers, each in every lane.
 #[inline(always)]
-fn pair<R: Real>(token: R::Token, [first, second]: [R::Element; 2]) -> [R; 2] {
+pub fn pair<R: Real>(token: R::Token, [first, second]: [R::Element; 2]) -> [R; 2] {
     [R::splat(token, first), R::splat(token, second)]
 }
 
@@ -144,10 +149,12 @@ pub fn cycle(w: u32) -> [usize; 3] {
 }
 
 /// The vector with components (u, v, w) along the axes of a projection, its sign that of `sign`.
+/// Of scalars, before they are broadcast: picking from what is computed goes through memory.
 #[inline(always)]
-pub fn unprojected<R: Real>(w: Axis<R::Mask>, [pu, pv, pw]: [R; 3], sign: R) -> Vec3<R> {
+pub fn unprojected<E: Element>(w: Axis<bool>, [pu, pv, pw]: [E; 3], sign: E) -> Vec3<E> {
     // Read backwards along the cycle: with w = x, (u, v) = (y, z), so x = pw, y = pu, z = pv.
-    let turned = [Vec3([pw, pv, pu]), Vec3([pu, pw, pv]), Vec3([pv, pu, pw])];
-    let [x, y, z] = turned.map(|candidates| w.pick(&candidates));
+    let x = w.pick(&Vec3([pw, pv, pu]));
+    let y = w.pick(&Vec3([pu, pw, pv]));
+    let z = w.pick(&Vec3([pv, pu, pw]));
     Vec3([x.signed_by(sign), y.signed_by(sign), z.signed_by(sign)])
 }

@@ -42,7 +42,7 @@ pub struct Met<R: Real> {
     n: Vec3<R>,
     b: Vec3<R>,
     c: Vec3<R>,
-    nw: R,
+    normal: Vec3<R>,
 }
 
 impl Kernel for Wald {
@@ -81,12 +81,14 @@ impl Kernel for Wald {
 
     #[inline(always)]
     fn meet<P: Policy, R: Real>(token: R::Token, record: &TriAccel<R::Element>) -> Met<R> {
+        let plane = [record.n[0], record.n[1], R::Element::ONE];
+        let normal = unprojected(Axis::stored(record.w), plane, record.nw);
         Met {
             w: Axis::stored(record.w),
             n: Vec3::splat(token, Vec3(record.n)),
             b: Vec3::splat(token, Vec3(record.b)),
             c: Vec3::splat(token, Vec3(record.c)),
-            nw: R::splat(token, record.nw),
+            normal: Vec3::splat(token, normal),
         }
     }
 
@@ -109,7 +111,7 @@ impl Kernel for Wald {
 
     #[inline(always)]
     fn normal<P: Policy, R: Real>(tri: &Met<R>) -> Vec3<R> {
-        unprojected::<R>(tri.w, [tri.n.x(), tri.n.y(), tri.nw.one()], tri.nw)
+        tri.normal
     }
 }
 

@@ -110,7 +110,7 @@ struct Rounds {
 }
 
 /// Runs the planned rounds; dirty ones again, same positions and windows, while spares last, and
-/// on a busy machine beyond that until there are enough for an interval.
+/// on a busy machine beyond that until there are enough for an interval, or it is given up.
 fn run_rounds(
     runners: &mut [Runner<'_>],
     protocol: &Protocol,
@@ -138,9 +138,10 @@ fn run_rounds(
                 break;
             }
             rounds.dirty += 1;
-            let too_few = rounds.clean < Protocol::LEAST_ROUNDS;
-            let patient = too_few && rounds.dirty < protocol.most_dirty_rounds(number);
-            if spare == 0 && !patient {
+            if rounds.dirty == protocol.most_dirty_rounds(number) {
+                return rounds;
+            }
+            if spare == 0 && rounds.clean >= Protocol::LEAST_ROUNDS {
                 break;
             }
             spare = spare.saturating_sub(1);

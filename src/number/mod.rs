@@ -76,6 +76,15 @@ pub trait Real:
     fn ne(self, other: Self) -> Self::Mask;
     /// `yes` where `mask` holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// [`Real::select`] of several at once, without a jump. A scalar blends bits by a mask that the
+    /// optimiser cannot look through: a plain select becomes a jump, with a division behind it.
+    #[inline(always)]
+    fn blend<const N: usize>(mask: Self::Mask, yes: [Self; N], mut no: [Self; N]) -> [Self; N] {
+        for (no, yes) in no.iter_mut().zip(yes) {
+            *no = Self::select(mask, yes, *no);
+        }
+        no
+    }
     /// `self` with its sign flipped where the sign bit of `sign` is set (exact types: where it is
     /// negative). `x.signed_by(x)` is the magnitude of `x`.
     fn signed_by(self, sign: Self) -> Self;

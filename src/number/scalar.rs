@@ -1,5 +1,7 @@
 //! `f32` and `f64` as numbers.
 
+use std::hint::black_box;
+
 use super::{Element, Mask, Real};
 
 impl Mask for bool {
@@ -63,6 +65,14 @@ macro_rules! scalar {
             #[inline(always)]
             fn select(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
+            }
+            #[inline(always)]
+            fn blend<const N: usize>(mask: bool, yes: [Self; N], mut no: [Self; N]) -> [Self; N] {
+                let keep = black_box($bits::from(mask).wrapping_neg());
+                for (no, yes) in no.iter_mut().zip(yes) {
+                    *no = Self::from_bits((yes.to_bits() & keep) | (no.to_bits() & !keep));
+                }
+                no
             }
             #[inline(always)]
             fn signed_by(self, sign: Self) -> Self {

@@ -1,5 +1,7 @@
 //! The values of the axes, and the little that each of them does.
 
+use std::hint::black_box;
+
 use super::Miss;
 use crate::number::{Mask, Real};
 
@@ -11,6 +13,10 @@ pub trait Exit: Copy + 'static {
     const DEFERS_RANGE: bool;
     /// Goes on, or leaves with `code`.
     fn keep<M: Mask>(mask: M, code: u8) -> Result<M, Miss>;
+    /// `yes` where `mask` holds, else `no`; `early` may jump for it.
+    fn select<R: Real, const N: usize>(mask: R::Mask, yes: [R; N], no: [R; N]) -> [R; N];
+    /// All bits set for a hit, none otherwise; in `full` without a jump around what it masks.
+    fn spread(hit: bool) -> u64;
 }
 
 /// Leave as soon as no lane can hit.
@@ -27,6 +33,17 @@ impl Exit for Early {
     fn keep<M: Mask>(mask: M, code: u8) -> Result<M, Miss> {
         if mask.any() { Ok(mask) } else { Err(Miss(code)) }
     }
+    #[inline(always)]
+    fn select<R: Real, const N: usize>(mask: R::Mask, yes: [R; N], mut no: [R; N]) -> [R; N] {
+        for (no, yes) in no.iter_mut().zip(yes) {
+            *no = R::select(mask, yes, *no);
+        }
+        no
+    }
+    #[inline(always)]
+    fn spread(hit: bool) -> u64 {
+        u64::from(hit).wrapping_neg()
+    }
 }
 
 impl Exit for Full {
@@ -35,6 +52,14 @@ impl Exit for Full {
     #[inline(always)]
     fn keep<M: Mask>(mask: M, _: u8) -> Result<M, Miss> {
         Ok(mask)
+    }
+    #[inline(always)]
+    fn select<R: Real, const N: usize>(mask: R::Mask, yes: [R; N], no: [R; N]) -> [R; N] {
+        R::blend(mask, yes, no)
+    }
+    #[inline(always)]
+    fn spread(hit: bool) -> u64 {
+        black_box(u64::from(hit).wrapping_neg())
     }
 }
 

@@ -105,10 +105,10 @@ fn sets_are_golden() {
         hash(segment),
     ];
     let golden = [
-        0x3dee_ab05_da4b_cc50,
-        0x9468_3971_cadc_e9bd,
-        0xe718_d69d_4f0c_3413,
-        0x57fa_676c_90f1_56f6,
+        0x1af6_4880_bfa7_2e0a,
+        0x90ac_a0b6_67f4_26a6,
+        0xcf05_60e0_99f6_60a1,
+        0x0ba6_18d2_eb14_3296,
     ];
     assert_eq!(hashes, golden, "{hashes:#x?}");
 }

@@ -80,7 +80,9 @@ impl Standing {
     /// Whether every quantity is clear of its bound, so that every test of every kernel has the
     /// same outcome, published listings included. (NaN fails every comparison here and below.)
     pub fn is_settled(&self) -> bool {
-        self.det_is_clear && self.substitution_is_clear && self.margins.iter().all(|m| m.value.abs() > m.doubt)
+        self.det_is_clear
+            && self.substitution_is_clear
+            && self.margins.iter().all(|m| m.value.abs() > m.doubt)
     }
 
     /// Whether the ray sees the front. For a settled pair, f64 has the sign right.
