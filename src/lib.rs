@@ -1,23 +1,97 @@
-//! ray_test
+//! A laboratory for ray-triangle intersection: every kernel written once, checked against the exact
+//! answer, measured side by side, and drawn.
+//!
+//! ```text
+//!  number ─> policy ─> kernels ─> batch, level ─> registry ─┐
+//!                                                          ├─> experiment ─> table ─> chart ─> cli
+//!  workload ─> oracle ─> accuracy ──────────────────────────┤      rows        the      SVG
+//!  stats ────> measure <─ job ──────────────────────────────┘                 waist
+//! ```
+//! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
+//! The modules below stand in reading order.
+//!
+//! A kernel is a function of a [number](number::Real) and a [policy](policy::Policy). The same
+//! source gives a scalar test, here Moeller and Trumbore's on one ray and one triangle:
+//!
+//! ```
+//! use ray_test::kernels::{Corners, Kernel, MollerTrumbore};
+//! use ray_test::number::Vec3;
+//! use ray_test::policy::{Early, Form, Last, Plain, Ray, Tuv};
+//!
+//! type Usual = Form<Early, Last, Plain, Tuv>;
+//! let triangle = Corners {
+//!     a: Vec3([0.0f32, 0.0, 2.0]),
+//!     b: Vec3([4.0, 0.0, 2.0]),
+//!     c: Vec3([0.0, 4.0, 2.0]),
+//! };
+//! let ray = Ray {
+//!     origin: Vec3([1.0, 2.0, 0.0]),
+//!     direction: Vec3([0.0, 0.0, 1.0]),
+//!     end: Vec3([1.0, 2.0, 9.0]),
+//!     t_min: 0.0,
+//!     t_max: f32::MAX,
+//! };
+//! let met = MollerTrumbore::meet::<Usual, f32>((), &MollerTrumbore::prepare(&triangle));
+//! let found = MollerTrumbore::test::<Usual, f32>(&ray, &met).expect("it goes through the middle");
+//! assert!(found.hit);
+//! assert_eq!((found.t, found.u, found.v), (2.0, 0.25, 0.5));
+//! ```
+//!
+//! and the operations that it executes:
+//!
+//! ```
+//! use ray_test::counting::counters;
+//!
+//! let kernels: Vec<_> = counters().iter().map(|counter| counter.kernel).collect();
+//! assert!(kernels.contains(&"wald") && kernels.contains(&"moller1"));
+//! ```
+//!
+//! What the right answer is, [`oracle`] says exactly, for every finite input:
+//!
+//! ```
+//! use glam::Vec3;
+//! use ray_test::oracle::{Class, Query, solve};
+//! use ray_test::workload::{Ray, Triangle};
+//!
+//! let triangle = Triangle { a: Vec3::ZERO, b: Vec3::X, c: Vec3::Y };
+//! let origin = Vec3::new(0.5, 0.5, 1.0);
+//! let ray = Ray { origin, direction: -Vec3::Z, end: origin, t_min: 0.0, t_max: f32::MAX };
+//! let exact = solve(&Query::of(&ray, &triangle));
+//! assert_eq!((exact.class, exact.t, exact.u, exact.v), (Class::Edge, 1.0, 0.5, 0.5));
+//! ```
 #![forbid(unsafe_code)]
 
-pub mod accuracy;
-pub mod batch;
-#[cfg(feature = "cli")]
-pub mod chart;
-#[cfg(feature = "cli")]
-pub mod cli;
-#[cfg(feature = "cli")]
-pub mod experiment;
-pub mod job;
-pub mod kernels;
-pub mod level;
-pub mod measure;
 pub mod number;
-pub mod oracle;
 pub mod policy;
+
+pub mod kernels;
+
+pub mod batch;
+pub mod level;
+
+pub mod job;
 pub mod registry;
+
+pub mod counting;
+
+pub mod workload;
+
+pub mod oracle;
+
+pub mod accuracy;
+
 pub mod stats;
+
+pub mod measure;
+
 #[cfg(feature = "cli")]
 pub mod table;
-pub mod workload;
+
+#[cfg(feature = "cli")]
+pub mod chart;
+
+#[cfg(feature = "cli")]
+pub mod experiment;
+
+#[cfg(feature = "cli")]
+pub mod cli;

@@ -1,8 +1,60 @@
-//! Operations on the longest path of every published listing; no clock.
+//! Operations per kernel and exit path, counted while the kernels run; no clock.
 
+use crate::counting::{Counter, counters, paths};
 use crate::table::Row;
+use crate::workload::{Generator, Ray, Triangle, WorkloadError, draw_pairs, hash};
 
-/// A row per listing.
-pub fn rows(_experiment: &str) -> Vec<Row> {
-    Vec::new()
+/// Pairs on which exits are looked for: every exit of every kernel but those that wait for
+/// rounding (|det| <= eps) takes at least one in a hundred of them.
+const PAIRS: usize = 4000;
+
+/// A row per form and exit path, with the operations of its longest path.
+///
+/// # Errors
+/// As drawing.
+pub fn rows(experiment: &str, seed: u64) -> Result<Vec<Row>, WorkloadError> {
+    let (mut rays, mut triangles) = (Vec::new(), Vec::new());
+    draw_pairs(Generator::Pcg, seed, PAIRS, |ray, triangle| {
+        rays.push(ray);
+        triangles.push(triangle);
+    })?;
+    let of = |counter: &Counter| of_counter(counter, (&rays, &triangles));
+    let mut rows: Vec<Row> = counters().iter().flat_map(of).collect();
+    for row in &mut rows {
+        row.experiment = experiment.into();
+        row.seed = Some(seed);
+    }
+    Ok(rows)
+}
+
+fn of_counter(counter: &Counter, (rays, triangles): (&[Ray], &[Triangle])) -> Vec<Row> {
+    let paths = paths(counter, rays, triangles);
+    let row = |path: &crate::counting::ExitPath| Row {
+        kernel: path.kernel.into(),
+        precision: "f32".into(),
+        drive: "single".into(),
+        exit: "early".into(),
+        division: path.division.into(),
+        rounding: "plain".into(),
+        output: path.output.into(),
+        stored: path.stored.into(),
+        workload: "operations".into(),
+        query: "line".into(),
+        winding: "natural".into(),
+        generator: "pcg".into(),
+        workload_hash: format!("{:016x}", hash::workload(rays, triangles)),
+        tests: Some(rays.len() as u64),
+        hits: Some(path.calls),
+        share: Some(path.calls as f64 / rays.len() as f64),
+        status: "ok".into(),
+        code: Some(u64::from(path.code)),
+        ops_add: Some(path.longest.add),
+        ops_sub: Some(path.longest.sub),
+        ops_neg: Some(path.longest.neg),
+        ops_mul: Some(path.longest.mul),
+        ops_div: Some(path.longest.div),
+        ops_condition: Some(path.longest.condition),
+        ..Row::default()
+    };
+    paths.iter().map(row).collect()
 }

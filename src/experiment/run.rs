@@ -55,7 +55,10 @@ pub fn run(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, RunError> {
     let protocol_error = |source| RunError::Protocol { experiment: experiment.id.clone(), source };
     let mut outcome = Outcome::default();
     match &experiment.workload {
-        Workload::Counts => outcome.rows = counts::rows(&experiment.id),
+        Workload::Counts => {
+            let rows = counts::rows(&experiment.id, experiment.seed);
+            outcome.rows = rows.map_err(workload_error)?;
+        }
         Workload::Codes(codes) => {
             let measured =
                 codes::run(&experiment.id, &plan.variants, codes, experiment.seed, bench).map_err(

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# A quick run of the program from end to end: exit codes, counts and files, no times.
+set -euo pipefail
+program=$(realpath "${1:-target/release/ray_test}")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+passed=0
+
+fail() { printf 'failed: %s\n' "$1" >&2; exit 1; }
+
+# expect CODE NAME COMMAND...: runs a command, its output into $folder/out and err.
+expect() {
+    local code=$1 name=$2 got=0
+    shift 2
+    "$@" >out 2>err || got=$?
+    [ "$got" -eq "$code" ] || { cat err >&2; fail "$name: exit $got, not $code"; }
+    passed=$((passed + 1))
+}
+
+has() { grep -q -- "$1" "$2" || { cat "$2" >&2; fail "no '$1' in $2"; }; }
+
+expect 0 "thesis form" "$program" 0.3 2000 100 --format csv
+[ "$(awk -F, 'NR > 1 && $5 == 600' out | wc -l)" -eq 3 ] || fail "three kernels with 600 hits"
+expect 0 "sweep" "$program" all 2000 10 --format csv
+[ "$(awk -F, 'NR > 1 { print $2 }' out | sort -u | wc -l)" -eq 5 ] || fail "five densities"
+[ ! -s err ] || fail "a warning for 'all'"
+expect 0 "sweep by a wrong word" "$program" maybe 200 10 --format csv
+has "warning" err
+[ "$(awk -F, 'NR > 1 { print $2 }' out | sort -u | wc -l)" -eq 5 ] || fail "five densities"
+expect 0 "msvc, reshuffled, other kernels" "$program" 0.5 500 10 --generator msvc --order reshuffled \
+    --kernels moller-trumbore,wald,moller --output tuv --format json
+has '"hits": 250' out
+
+expect 2 "no triangles" "$program" 0.3 0 10
+expect 2 "negative repeats" "$program" 0.3 10 -1
+expect 2 "more tests than can be counted" "$program" 0.3 16777216 18446744073709551615
+expect 2 "more triangles than allowed" "$program" 0.3 999999999999 1
+expect 2 "a slip of the keyboard" "$program" reprodcue
+has "reproduce" err
+expect 2 "an unknown kernel" "$program" 0.3 10 10 --kernels mollerr
+has "moller" err
+printf 'id = "x"\ncolour = "red"\n' >wrong.toml
+expect 2 "a wrong key" "$program" run wrong.toml --out wrong
+has "wrong.toml" err
+[ ! -e wrong ] || fail "a folder for a refused config"
+expect 2 "a missing config" "$program" run missing.toml
+expect 2 "a folder that cannot be made" "$program" reproduce --out /proc/ray_test
+expect 2 "a filter that matches nothing" "$program" reproduce --filter nothing-is-called-this
+expect 2 "an experiment twice" "$program" reproduce --filter '('
+
+for what in kernels variants experiments claims levels; do
+    expect 0 "list $what" "$program" list "$what" --format csv
+    [ "$(wc -l <out)" -gt 1 ] || fail "list $what is empty"
+done
+expect 0 "dry run" "$program" reproduce --dry-run
+expect 0 "two experiments of all" "$program" reproduce --out part --filter '^(moller[013]|wald)/f32/single'
+for file in environment.json b-4.1/rows.csv b-4.1/rows.json b-4.1/b-4.1.svg h-5/h-5.svg; do
+    [ -s "part/$file" ] || fail "no part/$file"
+done
+grep -qE 'NaN|inf' part/b-4.1/rows.csv && fail "a number that is none in rows.csv"
+expect 0 "go on where nothing is left" "$program" reproduce --out part --resume \
+    --filter '^(moller[013]|wald)/f32/single'
+has "finished before" err
+expect 2 "go on with another filter" "$program" reproduce --out part --resume --filter '^wald/'
+"$program" list variants | head -n 1 >out || fail "a closed pipe"
+
+printf '%s passed, 0 failed\n' "$passed"
