@@ -1,12 +1,13 @@
 //! ray_test
 #![forbid(unsafe_code)]
-pub mod job;
 pub mod batch;
+pub mod job;
 pub mod kernels;
 pub mod level;
+pub mod measure;
 pub mod number;
+pub mod oracle;
 pub mod policy;
 pub mod registry;
-pub mod measure;
 pub mod stats;
 pub mod workload;

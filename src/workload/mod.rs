@@ -1,29 +1,23 @@
-//! Seeded workloads.
+//! Seeded workloads: the same numbers on every machine and in every version.
+//!
+//! Only `+ - * /` and square roots are used, in f32 where the result is kept, on integers from one
+//! named generator; so nothing depends on a platform's mathematics, on the order of a hash map, or
+//! on how some library draws from a range. A hash over every number drawn goes into each result.
 
-use glam::Vec3;
+mod error;
+pub mod hash;
+mod nearest;
+mod pairs;
+mod random;
+mod ray;
+mod settled;
+mod thesis;
+mod triangle;
 
-/// One ray, or segment, or line, as drawn: f32 numbers, which f64 kernels get widened.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ray {
-    /// Where t = 0.
-    pub origin: Vec3,
-    /// Direction, normalised in f32 (so of length 1 within rounding).
-    pub direction: Vec3,
-    /// End of the segment that the ray was drawn from; only segment kernels look at it.
-    pub end: Vec3,
-    /// Smallest t that counts; -MAX for lines.
-    pub t_min: f32,
-    /// Largest t that counts; MAX for rays and lines.
-    pub t_max: f32,
-}
-
-/// One triangle as drawn: u is the weight of `b`, v of `c`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Triangle {
-    /// Vertex a (w = 1 - u - v).
-    pub a: Vec3,
-    /// Vertex b (u).
-    pub b: Vec3,
-    /// Vertex c (v).
-    pub c: Vec3,
-}
+pub use error::WorkloadError;
+pub use nearest::{Kind, NearestSet, NearestSpec};
+pub use pairs::{PairSpec, Pairs, QueryKind, Winding};
+pub use random::{Generator, Msvc, Pcg, Source, Unit};
+pub use ray::Ray;
+pub use thesis::draw_pairs;
+pub use triangle::Triangle;

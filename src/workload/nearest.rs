@@ -1,0 +1,206 @@
+//! Rays against all triangles, the nearest hit beyond doubt.
+
+use super::error::counted;
+use super::random::{Pcg, Unit};
+use super::settled::{Standing, aspect};
+use super::{Ray, Triangle, WorkloadError, hash, thesis};
+use glam::Vec3;
+
+/// Lanes of the widest packet; the number of rays is a multiple of it.
+const PACKET: usize = 16;
+/// Side of the tile of pixels that one packet covers.
+const TILE: usize = 4;
+/// Beyond this the nearest hits lie so close together that rounding decides most of them.
+const MOST_TRIANGLES: u64 = 1 << 16;
+/// Each of the two, and their product, is bounded: drawing is a test of every ray and triangle.
+const MOST_RAYS: u64 = 1 << 20;
+const MOST_TESTS: u64 = 1 << 30;
+/// As for pairs, but less: with many triangles the gaps between hits are small.
+const ALLOWANCE: f64 = 16.0;
+/// Triangles longer than this by their width are drawn again (about 1 %): no ray's answer on
+/// them is beyond doubt.
+const LARGEST_ASPECT: f64 = 100.0;
+/// How often one ray is drawn.
+const MOST_ATTEMPTS: u64 = 1000;
+/// The scene is the unit ball; segments end this far beyond it.
+const BEYOND: f32 = 0.25;
+/// Distance of the camera from the centre of the scene.
+const CAMERA: f32 = 3.0;
+
+/// How the rays of a packet belong together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// Not at all: each from a random point of the unit sphere to another.
+    #[default]
+    Random,
+    /// One camera, and 16 consecutive rays are a 4 x 4 tile of its pixels.
+    Coherent,
+}
+
+/// What to draw.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NearestSpec {
+    /// Number of triangles, 1 to 2^16.
+    pub triangles: usize,
+    /// Number of rays, a multiple of 16 up to 2^20; times triangles at most 2^30.
+    pub rays: usize,
+    /// How the rays belong together.
+    pub kind: Kind,
+    /// Where the generator starts.
+    pub seed: u64,
+}
+
+/// Rays and triangles, every ray to be tested against every triangle.
+///
+/// Triangles have their vertices, and random rays their origin and a second point, uniform on the
+/// unit sphere. Kensler and Shirley do not print their distribution; this one is isotropic, has no
+/// parameter, gives a hit rate of 9.98 % for a single test (half of it with back faces culled),
+/// and puts every triangle in front of every random origin, so that the hit rate of lines, rays
+/// and segments is the same.
+#[derive(Clone, Debug)]
+pub struct NearestSet {
+    /// t from 0 to MAX; `end` lies on the ray, beyond the scene.
+    pub rays: Vec<Ray>,
+    /// In the unit ball.
+    pub triangles: Vec<Triangle>,
+    /// [`hash::workload`] of both.
+    pub hash: u64,
+    /// Rays drawn again since rounding could have decided their nearest triangle.
+    pub redrawn: u64,
+}
+
+impl NearestSet {
+    /// Draws a set. A ray is drawn again (within its pixel, if it has one) when some triangle that
+    /// rounding could make its nearest is not the nearest by more than rounding.
+    ///
+    /// # Errors
+    /// For a specification that is not allowed, or a ray that was drawn 1 000 times in vain.
+    pub fn draw(spec: NearestSpec) -> Result<Self, WorkloadError> {
+        validated(&spec)?;
+        let mut source = Pcg::new(spec.seed);
+        let triangles: Vec<Triangle> = (0..spec.triangles).map(|_| triangle(&mut source)).collect();
+        let camera = Camera::new(spec.rays);
+        let mut rays = Vec::with_capacity(spec.rays);
+        let mut attempts = 0u64;
+        for index in 0..spec.rays {
+            let mut tries = 0;
+            loop {
+                attempts += 1;
+                tries += 1;
+                let ray = match spec.kind {
+                    Kind::Random => random_ray(&mut source),
+                    Kind::Coherent => camera.ray(index, &mut source),
+                };
+                if nearest_is_settled(&ray, &triangles) {
+                    rays.push(ray);
+                    break;
+                }
+                if tries == MOST_ATTEMPTS {
+                    return Err(WorkloadError::Rays { attempts, rays: index, wanted: spec.rays });
+                }
+            }
+        }
+        let hash = hash::workload(&rays, &triangles);
+        Ok(NearestSet { redrawn: attempts - rays.len() as u64, rays, triangles, hash })
+    }
+}
+
+fn validated(spec: &NearestSpec) -> Result<(), WorkloadError> {
+    counted("number of triangles", spec.triangles, 1, MOST_TRIANGLES)?;
+    counted("number of rays", spec.rays, 1, MOST_RAYS)?;
+    if !spec.rays.is_multiple_of(PACKET) {
+        return Err(WorkloadError::Packets { value: spec.rays, multiple: PACKET });
+    }
+    // Both are below 2^21 by now.
+    counted("rays times triangles", spec.rays * spec.triangles, 1, MOST_TESTS)
+}
+
+/// Whether every kernel must find the same nearest triangle, or none.
+fn nearest_is_settled(ray: &Ray, triangles: &[Triangle]) -> bool {
+    let mut nearest = f64::INFINITY;
+    let mut rivals: Vec<Standing> = Vec::new();
+    for triangle in triangles {
+        let standing = Standing::of(ray, triangle, ALLOWANCE);
+        if standing.is_miss() {
+            continue;
+        }
+        if standing.is_hit() {
+            nearest = nearest.min(standing.t + standing.doubt);
+        }
+        rivals.push(standing);
+    }
+    // The nearest itself is one of those that could be. A t that is not finite always could be.
+    let is_behind = |rival: &&Standing| rival.t - rival.doubt > nearest;
+    let possible = rivals.len() - rivals.iter().filter(is_behind).count();
+    possible == usize::from(nearest.is_finite())
+}
+
+fn triangle(source: &mut Pcg) -> Triangle {
+    loop {
+        let a = on_sphere(source);
+        let b = on_sphere(source);
+        let c = on_sphere(source);
+        let triangle = Triangle { a, b, c };
+        if aspect(&triangle) <= LARGEST_ASPECT {
+            return triangle;
+        }
+    }
+}
+
+/// A point of the unit sphere: a point of the cube that is in the ball but not near its centre,
+/// divided by its length.
+fn on_sphere(source: &mut Pcg) -> Vec3 {
+    loop {
+        let x = 2.0 * source.unit() - 1.0;
+        let y = 2.0 * source.unit() - 1.0;
+        let z = 2.0 * source.unit() - 1.0;
+        let point = Vec3::new(x, y, z);
+        if (0.01..=1.0).contains(&thesis::length(point)) {
+            return thesis::normalised(point);
+        }
+    }
+}
+
+fn random_ray(source: &mut Pcg) -> Ray {
+    let origin = on_sphere(source);
+    let target = on_sphere(source);
+    let chord = target - origin;
+    ray(origin, thesis::normalised(chord), thesis::length(chord) + BEYOND)
+}
+
+fn ray(origin: Vec3, direction: Vec3, length: f32) -> Ray {
+    Ray { origin, direction, end: origin + direction * length, t_min: 0.0, t_max: f32::MAX }
+}
+
+/// A pinhole on the negative z axis that looks at the square around the unit ball's equator.
+struct Camera {
+    /// Tiles in a row of the picture.
+    columns: usize,
+    /// Rows of tiles.
+    rows: usize,
+}
+
+impl Camera {
+    /// As nearly square as tiles allow.
+    fn new(rays: usize) -> Self {
+        let tiles = rays / PACKET;
+        let columns = tiles.isqrt() + usize::from(tiles.isqrt().pow(2) < tiles);
+        Camera { columns, rows: tiles.div_ceil(columns) }
+    }
+
+    /// A ray through a random point of pixel `index`, pixels counted tile by tile.
+    fn ray(&self, index: usize, source: &mut Pcg) -> Ray {
+        let (tile, pixel) = (index / PACKET, index % PACKET);
+        let column = tile % self.columns * TILE + pixel % TILE;
+        let row = tile / self.columns * TILE + pixel / TILE;
+        let x = (column as f32 + source.unit()) / (self.columns * TILE) as f32;
+        let y = (row as f32 + source.unit()) / (self.rows * TILE) as f32;
+        let origin = Vec3::new(0.0, 0.0, -CAMERA);
+        let target = Vec3::new(2.0 * x - 1.0, 2.0 * y - 1.0, 0.0);
+        ray(origin, thesis::normalised(target - origin), CAMERA + 1.0 + BEYOND)
+    }
+}
+
+#[cfg(test)]
+#[path = "nearest_tests.rs"]
+mod tests;
