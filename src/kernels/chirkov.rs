@@ -5,7 +5,7 @@
 //! q = n . end - n . a of the end: the segment crosses the plane where p and q do not have the same
 //! sign. Along n's largest component, (y, z) the next two axes in the cycle, with dd = p - q and
 //! s = end - o: f(e, from) = p (e_y s_z - e_z s_y) + dd (e_y r_z - e_z r_y), r = o - from. The
-//! three values of f for AB, AC and BC have signs (+, -, -) or (-, +, +) inside.
+//! three values of f for AB, AC and BC have signs (+, -, +) or (-, +, -) inside.
 //! v = f_AB / (dd n_w), u = -f_AC / (dd n_w), t = -p / (d . n).
 //! `tests=products` is the published comparison of two products with >= and <; `compare` asks for
 //! all three signs and obeys the law on boundaries.
@@ -77,8 +77,8 @@ impl Kernel for Chirkov {
         let ac = line.side::<P>(c - a, ray.origin - a);
         let bc = line.side::<P>(c - b, ray.origin - b);
         let inside = if P::Tests::PRODUCTS {
-            // The listing's second product has its edge negated, hence <= here for its >=.
-            (ab * ac).le(zero) & (ab * bc).lt(zero)
+            // The listing has the other sign for AC and BC, hence <= here for its >= and > for its <.
+            (ab * ac).le(zero) & (ab * bc).gt(zero)
         } else {
             (ab.ge(zero) & ac.le(zero) & bc.ge(zero)) | (ab.le(zero) & ac.ge(zero) & bc.le(zero))
         };

@@ -6,6 +6,7 @@ mod listings;
 mod points;
 
 pub use axes::{Axes, COLUMNS};
+pub use forms::{Offers, Other};
 
 use std::sync::LazyLock;
 
