@@ -1,6 +1,7 @@
 //! ray_test
 #![forbid(unsafe_code)]
 pub mod batch;
+pub mod counting;
 pub mod job;
 pub mod kernels;
 pub mod level;
