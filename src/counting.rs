@@ -146,6 +146,12 @@ impl Operations {
     fn length(&self) -> (u64, u64, u64) {
         (self.arithmetic(), self.condition, self.compare)
     }
+    fn min_by_length(self, other: Self) -> Self {
+        if other.length() < self.length() { other } else { self }
+    }
+    fn max_by_length(self, other: Self) -> Self {
+        if other.length() > self.length() { other } else { self }
+    }
 }
 
 /// Where the tests of ray i against triangle i end, in the order of codes; exits that none came to
@@ -166,13 +172,4 @@ pub fn paths(counter: &Counter, rays: &[Ray], triangles: &[Triangle]) -> Vec<Exi
     }
     paths.sort_by_key(|path| path.code);
     paths
-}
-
-impl Operations {
-    fn min_by_length(self, other: Self) -> Self {
-        if other.length() < self.length() { other } else { self }
-    }
-    fn max_by_length(self, other: Self) -> Self {
-        if other.length() > self.length() { other } else { self }
-    }
 }
