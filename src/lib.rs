@@ -62,14 +62,17 @@
 #![forbid(unsafe_code)]
 
 pub mod number;
+
 pub mod policy;
 
 pub mod kernels;
 
-pub mod batch;
 pub mod level;
 
+pub mod batch;
+
 pub mod job;
+
 pub mod registry;
 
 pub mod counting;

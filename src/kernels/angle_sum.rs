@@ -4,7 +4,8 @@
 //! each, add up to 2 pi inside and to less outside.
 //! Tolerance: the rounding e of a cosine near -1 or 1 is an error of sqrt(2 e) of its angle; with
 //! e = 4 roundings and three angles the sum is taken for 2 pi within 3 sqrt(8 unit roundoff).
-//! Stored: the vertices. Operations of a hit: 33 x, 33 +-, 4 /, 6 square roots, 3 arccos.
+//! Stored: the vertices. Operations of a hit: 45 x, 50 +-, 4 /, 6 square roots, 3 arccos; and 2 x with
+//! 8 unary minuses on constants.
 //! Known weakness: everything; wrong decisions near edges are its nature (status `inexact`), and it
 //! yields no u and v. Single rays only, because arccos comes from `libm`.
 

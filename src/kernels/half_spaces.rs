@@ -5,7 +5,7 @@
 //! Formula, all vertices relative to the origin: the weights of a, b, c are d . (b x c),
 //! d . (c x a), d . (a x b); inside they have one sign; their sum is d . n; t = n . a / (d . n).
 //! A point q: weight of c is ((n x AB) . (q - a)) / n . n, and so on round the triangle.
-//! Stored: 9 numbers. Operations of a hit: 36 x, 38 +-, 2 /, and per packet 6 x, 9 -.
+//! Stored: 9 numbers. Operations of a hit: 37 x, 30 +-, 2 /, and per packet 6 x, 9 -.
 //! Known weakness: a x b cancels with the square of the distance between origin and triangle.
 
 use super::{About, Corners, Kernel, PointTest};

@@ -4,7 +4,7 @@
 //! Formula, with AB = b - a, CA = a - c, N = AB x CA, OA = a - o and I = OA x D: det = D . N,
 //! t = N . OA / det, u = I . CA / det, v = I . AB / det.
 //! Stored: 9 numbers (vertices), 12 (with normal), 12 (precomputed). Operations of a hit with
-//! everything stored, divided first: 21 x, 15 +-, 1 /; the edges cost 6 -, N costs 6 x and 3 -.
+//! everything stored, divided first: 21 x, 15 +-, 1 / (divided last 22 x); the edges cost 6 -, N costs 6 x and 3 -.
 //! Known weakness: as Moeller-Trumbore, whose algebra it is, and t inherits the rounding of N,
 //! which is large for needles.
 

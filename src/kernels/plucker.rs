@@ -7,7 +7,7 @@
 //! one sign; they are the weights of C (side of AB), A (BC) and B (CA), and their sum is d . n.
 //! t = n . (a - o) / (d . n).
 //! Stored: 9 numbers; the edges' coordinates are met once per packet. Prepared per ray: m.
-//! Operations of a hit with m: 36 x, 33 +-, 2 /, and per packet 24 x, 21 -.
+//! Operations of a hit with m: 34 x, 24 +-, 2 /, and per packet 24 x, 30 +-.
 //! Known weakness: A x B of absolute coordinates cancels with the square of the offset.
 
 use super::half_spaces::finish_sides;

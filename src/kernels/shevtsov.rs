@@ -5,7 +5,8 @@
 //! divided by n_w: det = -(d_u n_u + d_v n_v + d_w), t' = o_u n_u + o_v n_v + o_w - n . a,
 //! D_k = d_k t' - (a_k - o_k) det for k = u, v, u' = e2_v D_u - e2_u D_v, v' = e1_u D_v - e1_v D_u.
 //! The note's (16) and (17) are misprinted; its code is cyclic and has no (-1)^w, as here.
-//! Stored: the note's TriAccel, 12 words (48 bytes in f32). Operations of a hit, divided last: 19 x, 14 +-, 1 /.
+//! Stored: the note's TriAccel, 12 words (48 bytes in f32). Operations of a hit, divided first: 10 x,
+//! 12 +-, 1 unary minus, 1 /; divided last 16 x.
 //! Known weakness: the plane's constant cancels far from the origin; slivers lose u and v twice.
 //! The note's det = 0 gives a NaN t that passes its range test; here det is tested.
 

@@ -8,6 +8,7 @@ mod points;
 
 pub use arithmetic::{Unit, units};
 pub use axes::{Axes, COLUMNS};
+pub use forms::{Offers, Other};
 
 use std::sync::LazyLock;
 

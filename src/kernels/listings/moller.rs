@@ -3,7 +3,7 @@
 //!
 //! Epsilon 1e-6 on det, no test of t. Variant 1 is thesis B's `moller`: the branch on the sign of
 //! det comes first and the division last. 2 divides before the branch, 3 also computes q there.
-//! Stored: 9 numbers (36 bytes in f32). Operations of a hit of variant 1, t only: 25 x, 8 + 1,
+//! Stored: 9 numbers (36 bytes in f32). Operations of a hit of variant 1, t only: 25 x, 9 +,
 //! 15 -, 1 unary minus, 1 /, 4 conditions.
 //! Known weakness: the epsilon loses millimetre triangles; NaN coordinates are hits.
 

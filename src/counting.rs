@@ -1,0 +1,181 @@
+//! What a test executes: operations by kind, per kernel and exit path, without a clock.
+//!
+//! Every kernel runs on [`Counted`] numbers. What is prepared per triangle is not counted; what is
+//! met per triangle and tested per ray is, as for a single ray.
+
+use crate::batch::widened;
+use crate::kernels::listings::{Badouel, ChirkovLine, Listing, Literally, Moller, Placement};
+use crate::kernels::{
+    AngleSum, BadouelCramer, Chirkov, HalfSpaces, Keidy, KenslerShirley, MollerTrumbore,
+    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices, Wald, WithNormal,
+};
+use crate::number::{Counted, Operations, count};
+use crate::policy::{
+    Compare, Division, Early, First, Form, FromZero, Last, Plain, Policy, Tuv, TwoSided,
+};
+use crate::registry::{Offers, corners};
+use crate::workload::{Ray, Triangle};
+
+/// The exit code of a test (0 is a hit) and the operations that it executed.
+pub type Counts = fn(&Ray, &Triangle) -> (u8, Operations);
+
+/// One form whose operations can be counted.
+#[derive(Clone, Copy, Debug)]
+pub struct Counter {
+    /// The kernel's id.
+    pub kernel: &'static str,
+    /// What is stored of a triangle.
+    pub stored: &'static str,
+    /// `first` or `last`.
+    pub division: &'static str,
+    /// `t` or `tuv`.
+    pub output: &'static str,
+    /// Counts one test.
+    pub run: Counts,
+}
+
+/// The tests that ended at one exit of a kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExitPath {
+    /// The kernel's id.
+    pub kernel: &'static str,
+    /// What is stored of a triangle.
+    pub stored: &'static str,
+    /// `first` or `last`.
+    pub division: &'static str,
+    /// `t` or `tuv`.
+    pub output: &'static str,
+    /// The exit: 0 is a hit.
+    pub code: u8,
+    /// Tests that ended here.
+    pub calls: u64,
+    /// Operations of the test that executed the fewest. Only listings, which branch between their
+    /// exits, have more than one path to an exit.
+    pub shortest: Operations,
+    /// Operations of the test that executed the most.
+    pub longest: Operations,
+}
+
+/// Every listing with both outputs, and every kernel's own form: early, from zero, plain, `tuv`.
+pub fn counters() -> Vec<Counter> {
+    let mut counters = Vec::new();
+    listing::<Moller<0>>(&mut counters, Placement::AtOnce.division());
+    listing::<Moller<1>>(&mut counters, Placement::AtTheEnd.division());
+    listing::<Moller<2>>(&mut counters, Placement::BeforeTheBranch.division());
+    listing::<Moller<3>>(&mut counters, Placement::BeforeTheBranchWithQ.division());
+    listing::<Badouel>(&mut counters, First::NAME);
+    listing::<ChirkovLine>(&mut counters, Last::NAME);
+    divisions::<MollerTrumbore>(&mut counters);
+    divisions::<KenslerShirley<Vertices>>(&mut counters);
+    divisions::<KenslerShirley<WithNormal>>(&mut counters);
+    divisions::<KenslerShirley<Precomputed>>(&mut counters);
+    divisions::<Shevtsov>(&mut counters);
+    divisions::<BadouelCramer>(&mut counters);
+    divisions::<Wald>(&mut counters);
+    divisions::<Keidy<Vertices>>(&mut counters);
+    divisions::<Keidy<WithNormal>>(&mut counters);
+    divisions::<PerpendicularPlanes>(&mut counters);
+    divisions::<Chirkov>(&mut counters);
+    divisions::<Plucker>(&mut counters);
+    divisions::<HalfSpaces>(&mut counters);
+    divisions::<SignedAreas>(&mut counters);
+    divisions::<AngleSum>(&mut counters);
+    counters
+}
+
+/// The number that counts.
+type Number = Counted<f32>;
+
+fn listing<K: Listing>(counters: &mut Vec<Counter>, division: &'static str) {
+    let of = |output, run| Counter {
+        kernel: K::ABOUT.id,
+        stored: K::ABOUT.stored,
+        division,
+        output,
+        run,
+    };
+    counters.push(of("t", listed::<K, false>));
+    counters.push(of("tuv", listed::<K, true>));
+}
+
+fn listed<K: Listing, const UV: bool>(ray: &Ray, triangle: &Triangle) -> (u8, Operations) {
+    let record = K::prepare(&corners::<Number>(triangle));
+    let ray = widened(ray);
+    count(|| K::run::<Number, Literally, UV>(&ray, &record).0)
+}
+
+fn divisions<K: Offers>(counters: &mut Vec<Counter>) {
+    if K::FIRST {
+        counters.push(form::<K, First>());
+    }
+    if K::LAST {
+        counters.push(form::<K, Last>());
+    }
+}
+
+fn form<K: Offers, D: Division>() -> Counter {
+    type Of<K, D> = Form<Early, D, Plain, Tuv, TwoSided, Compare, <K as Offers>::Native, FromZero>;
+    Counter {
+        kernel: K::ABOUT.id,
+        stored: K::ABOUT.stored,
+        division: D::NAME,
+        output: if K::UV { "tuv" } else { "t" },
+        run: tested::<K, Of<K, D>>,
+    }
+}
+
+fn tested<K: Offers, P: Policy>(ray: &Ray, triangle: &Triangle) -> (u8, Operations) {
+    let record = K::prepare(&corners::<Number>(triangle));
+    let ray = widened(ray);
+    let (found, operations) = count(|| {
+        let met = K::meet::<P, Number>((), &record);
+        K::test::<P, Number>(&ray, &met)
+    });
+    (found.map_or_else(|miss| miss.0, |_| 0), operations)
+}
+
+impl Operations {
+    /// Additions, subtractions, unary minuses, multiplications and divisions.
+    pub fn arithmetic(&self) -> u64 {
+        self.add + self.sub + self.neg + self.mul + self.div
+    }
+    /// What orders paths by length: arithmetic, then if-statements, then comparisons.
+    fn length(&self) -> (u64, u64, u64) {
+        (self.arithmetic(), self.condition, self.compare)
+    }
+    fn min_by_length(self, other: Self) -> Self {
+        if other.length() < self.length() { other } else { self }
+    }
+    fn max_by_length(self, other: Self) -> Self {
+        if other.length() > self.length() { other } else { self }
+    }
+}
+
+/// Where the tests of ray i against triangle i end, in the order of codes; exits that none came to
+/// are absent.
+pub fn paths(counter: &Counter, rays: &[Ray], triangles: &[Triangle]) -> Vec<ExitPath> {
+    let mut paths: Vec<ExitPath> = Vec::new();
+    for (ray, triangle) in rays.iter().zip(triangles) {
+        let (code, operations) = (counter.run)(ray, triangle);
+        if let Some(path) = paths.iter_mut().find(|path| path.code == code) {
+            path.calls += 1;
+            path.shortest = path.shortest.min_by_length(operations);
+            path.longest = path.longest.max_by_length(operations);
+        } else {
+            let Counter { kernel, stored, division, output, .. } = *counter;
+            let (calls, shortest, longest) = (1, operations, operations);
+            paths.push(ExitPath {
+                kernel,
+                stored,
+                division,
+                output,
+                code,
+                calls,
+                shortest,
+                longest,
+            });
+        }
+    }
+    paths.sort_by_key(|path| path.code);
+    paths
+}

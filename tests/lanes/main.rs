@@ -1,0 +1,229 @@
+//! Law 3: lane i of a packet is the scalar kernel of the same policy, bit for bit.
+//!
+//! Any NaN equals any NaN: neither its payload nor its sign is specified. The sign-bit forms look at
+//! that sign, as printed, so where what they report is not finite their hit may differ, too; such
+//! lanes are counted, and none may be of the random family, whose triangles have an area and whose
+//! products do not overflow.
+
+mod packets;
+mod probe;
+
+use std::any::type_name;
+use std::collections::BTreeMap;
+
+use ray_test::kernels::{
+    BadouelCramer, Chirkov, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
+    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices, Wald, WithNormal,
+};
+use ray_test::level::{self, Level, On, enter};
+use ray_test::number::{Element, Lanes, Real};
+use ray_test::policy::{
+    Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused,
+    Last, Leading, Plain, Policy, Products, Rounding, SignBits, Span, Tests, Tuv, TwoSided,
+};
+use ray_test::registry::{Offers, Other};
+
+use packets::{FAMILIES, Packet, packets};
+use probe::{Probe, judge, scalar};
+
+/// The packets of both precisions, and what has been compared.
+struct Law {
+    singles: Vec<Packet<f32>>,
+    doubles: Vec<Packet<f64>>,
+    /// Per level: forms compared, or None where this processor has not got it.
+    levels: BTreeMap<&'static str, Option<usize>>,
+    /// Per family: the sums of [`judge`].
+    families: BTreeMap<&'static str, [usize; 4]>,
+}
+
+/// Which packets an element type has.
+trait Precision: Element {
+    fn packets(law: &Law) -> &[Packet<Self>];
+}
+impl Precision for f32 {
+    fn packets(law: &Law) -> &[Packet<f32>] {
+        &law.singles
+    }
+}
+impl Precision for f64 {
+    fn packets(law: &Law) -> &[Packet<f64>] {
+        &law.doubles
+    }
+}
+
+/// One form at one level against its scalar.
+fn hold<K: Kernel, P: Policy, L: Level, R: Real<Element: Precision> + On<L>>(law: &mut Law) {
+    let count = law.levels.entry(L::NAME).or_insert_with(|| level::available::<L>().then_some(0));
+    let Some(count) = count else { return };
+    *count += 1;
+    let form = format!("{} {} {} x{}", K::ABOUT.id, type_name::<P>(), L::NAME, R::LANES);
+    let mut sums = Vec::new();
+    for packet in R::Element::packets(law) {
+        let record = K::prepare(&packet.corners);
+        let lanes = enter::<L, Probe<K, P, R>, 0>((&packet.rays, &record));
+        let scalars = packet.rays.map(|ray| scalar::<K, P, R::Element>(&ray, &record));
+        sums.push((
+            packet.family,
+            judge(&form, P::Tests::SIGN_BITS, packet.family, &lanes, &scalars),
+        ));
+    }
+    for (family, counts) in sums {
+        let sums = law.families.entry(family).or_default();
+        sums.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+    }
+}
+
+/// Early and full, first and last: what every width is built in.
+fn exits<K: Offers, L: Level, R, A: Rounding, F: Facing, Q: Leading, S: Span>(law: &mut Law)
+where
+    R: Real<Element: Precision> + On<L>,
+{
+    divisions::<K, L, R, Early, A, F, Q, S>(law);
+    divisions::<K, L, R, Full, A, F, Q, S>(law);
+}
+
+fn divisions<K, L, R, E, A, F, Q, S>(law: &mut Law)
+where
+    K: Offers,
+    L: Level,
+    R: Real<Element: Precision> + On<L>,
+    E: Exit,
+    A: Rounding,
+    F: Facing,
+    Q: Leading,
+    S: Span,
+{
+    if K::FIRST {
+        form::<K, L, R, E, First, A, F, Compare, Q, S>(law);
+    }
+    if K::LAST {
+        form::<K, L, R, E, Last, A, F, Compare, Q, S>(law);
+    }
+}
+
+#[allow(clippy::extra_unused_type_parameters, reason = "one parameter per axis")]
+fn form<K, L, R, E, D, A, F, C, Q, S>(law: &mut Law)
+where
+    K: Offers,
+    L: Level,
+    R: Real<Element: Precision> + On<L>,
+    E: Exit,
+    D: Division,
+    A: Rounding,
+    F: Facing,
+    C: Tests,
+    Q: Leading,
+    S: Span,
+{
+    hold::<K, Form<E, D, A, Tuv, F, C, Q, S>, L, R>(law);
+}
+
+/// The axes that only some kernels have.
+fn others<K: Offers, L: Level, R: Real<Element: Precision> + On<L>>(law: &mut Law) {
+    exits::<K, L, R, Plain, TwoSided, K::Native, Between>(law);
+    if K::CULLS {
+        exits::<K, L, R, Plain, Cull, K::Native, FromZero>(law);
+    }
+    if K::BOTH_ORDERS {
+        exits::<K, L, R, Plain, TwoSided, <K::Native as Other>::Other, FromZero>(law);
+    }
+    if K::SIGN_BITS {
+        form::<K, L, R, Early, Last, Plain, TwoSided, SignBits, K::Native, FromZero>(law);
+        form::<K, L, R, Full, Last, Plain, TwoSided, SignBits, K::Native, FromZero>(law);
+    }
+    if K::PRODUCTS {
+        form::<K, L, R, Early, Last, Plain, TwoSided, Products, K::Native, FromZero>(law);
+        form::<K, L, R, Full, Last, Plain, TwoSided, Products, K::Native, FromZero>(law);
+    }
+}
+
+fn plain<K: Offers, L: Level, R: Real<Element: Precision> + On<L>>(law: &mut Law) {
+    exits::<K, L, R, Plain, TwoSided, K::Native, FromZero>(law);
+}
+
+fn fused<K: Offers, L: Level, R: Real<Element: Precision> + On<L>>(law: &mut Law) {
+    exits::<K, L, R, Fused, TwoSided, K::Native, FromZero>(law);
+}
+
+/// Every width that the registry builds, at the level that has it.
+#[cfg(target_arch = "x86_64")]
+fn kernel<K: Offers>(law: &mut Law) {
+    use fearless_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
+    use ray_test::level::{Avx2, Avx512, Sse2, Sse42};
+
+    type In<L, V> = Lanes<<L as Level>::Token, V>;
+    type S2 = <Sse2 as Level>::Token;
+    type S4 = <Sse42 as Level>::Token;
+    type A2 = <Avx2 as Level>::Token;
+    type A5 = <Avx512 as Level>::Token;
+
+    plain::<K, Sse2, In<Sse2, f32x4<S2>>>(law);
+    plain::<K, Sse2, In<Sse2, f64x2<S2>>>(law);
+    plain::<K, Sse42, In<Sse42, f32x4<S4>>>(law);
+    plain::<K, Avx2, In<Avx2, f32x8<A2>>>(law);
+    plain::<K, Avx2, In<Avx2, f64x4<A2>>>(law);
+    plain::<K, Avx512, In<Avx512, f32x16<A5>>>(law);
+    plain::<K, Avx512, In<Avx512, f64x8<A5>>>(law);
+    fused::<K, Avx2, In<Avx2, f32x8<A2>>>(law);
+    fused::<K, Avx2, In<Avx2, f64x4<A2>>>(law);
+    fused::<K, Avx512, In<Avx512, f32x16<A5>>>(law);
+    fused::<K, Avx512, In<Avx512, f64x8<A5>>>(law);
+    others::<K, Sse2, In<Sse2, f32x4<S2>>>(law);
+    others::<K, Avx512, In<Avx512, f32x16<A5>>>(law);
+}
+
+/// Every width that the registry builds, at the level that has it.
+#[cfg(target_arch = "aarch64")]
+fn kernel<K: Offers>(law: &mut Law) {
+    use fearless_simd::{f32x4, f64x2};
+    use ray_test::level::Neon;
+
+    type N = <Neon as Level>::Token;
+
+    plain::<K, Neon, Lanes<N, f32x4<N>>>(law);
+    plain::<K, Neon, Lanes<N, f64x2<N>>>(law);
+    fused::<K, Neon, Lanes<N, f32x4<N>>>(law);
+    fused::<K, Neon, Lanes<N, f64x2<N>>>(law);
+    others::<K, Neon, Lanes<N, f32x4<N>>>(law);
+}
+
+/// Every kernel that has packets (the sum of angles is single: its arc cosine is `libm`'s).
+#[test]
+fn lanes_agree_bit_for_bit() {
+    let mut law = Law {
+        singles: packets(),
+        doubles: packets(),
+        levels: BTreeMap::new(),
+        families: BTreeMap::new(),
+    };
+    kernel::<MollerTrumbore>(&mut law);
+    kernel::<KenslerShirley<Vertices>>(&mut law);
+    kernel::<KenslerShirley<WithNormal>>(&mut law);
+    kernel::<KenslerShirley<Precomputed>>(&mut law);
+    kernel::<Shevtsov>(&mut law);
+    kernel::<BadouelCramer>(&mut law);
+    kernel::<Wald>(&mut law);
+    kernel::<Keidy<Vertices>>(&mut law);
+    kernel::<Keidy<WithNormal>>(&mut law);
+    kernel::<PerpendicularPlanes>(&mut law);
+    kernel::<Chirkov>(&mut law);
+    kernel::<Plucker>(&mut law);
+    kernel::<HalfSpaces>(&mut law);
+    kernel::<SignedAreas>(&mut law);
+
+    let skipped = law.levels.iter().filter(|(_, forms)| forms.is_none()).count();
+    for (level, forms) in &law.levels {
+        match forms {
+            Some(forms) => println!("{level}: {forms} forms"),
+            None => println!("skipped: no {level}"),
+        }
+    }
+    println!("{skipped} levels skipped; lanes, hits, NaN, excused by family: {:?}", law.families);
+    assert_eq!(law.levels.len(), level::levels().len(), "a level without a packet");
+    assert!(skipped < law.levels.len(), "the baseline is there on every processor");
+    for family in FAMILIES {
+        let [lanes, hits, nan, _] = law.families[family];
+        assert!(hits * 100 >= lanes || family == "subnormal", "{family}: {hits} hits of {lanes}");
+        assert!(nan * 100 >= lanes || ["random", "lattice"].contains(&family), "{family}: {nan}");
+    }
+}

@@ -1,0 +1,134 @@
+//! Every form of every kernel over exact numbers, in groups that must agree.
+
+use ray_test::kernels::{
+    BadouelCramer, Chirkov, Corners, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
+    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices, Wald, WithNormal,
+};
+use ray_test::policy::{
+    Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused,
+    Last, Leading, Plain, Policy, Products, Ray, Rounding, SignBits, Span, Tests, Tuv, TwoSided,
+};
+use ray_test::registry::{Offers, Other};
+
+use super::exact::Exact;
+
+/// t, u and v of a hit.
+pub type Answer = Option<[Exact; 3]>;
+
+/// One form, from a triangle's corners on.
+pub type Run = fn(&Ray<Exact>, &Corners<Exact>) -> Answer;
+
+/// The forms of a kernel that differ in no convention, only in how the work is done.
+pub struct Group {
+    /// The kernel's id.
+    pub kernel: &'static str,
+    /// What is stored.
+    pub stored: &'static str,
+    /// `compare`, `sign-bits` or `products`.
+    pub tests: &'static str,
+    /// Back faces are missed.
+    pub culls: bool,
+    /// t_min is zero and not read.
+    pub from_zero: bool,
+    /// The forms with their axes.
+    pub forms: Vec<(String, Run)>,
+}
+
+/// Every group. The sum of angles is not among them: it needs arc cosines, which no rational
+/// number has.
+pub fn groups() -> Vec<Group> {
+    let mut groups = Vec::new();
+    kernel::<MollerTrumbore>(&mut groups);
+    kernel::<KenslerShirley<Vertices>>(&mut groups);
+    kernel::<KenslerShirley<WithNormal>>(&mut groups);
+    kernel::<KenslerShirley<Precomputed>>(&mut groups);
+    kernel::<Shevtsov>(&mut groups);
+    kernel::<BadouelCramer>(&mut groups);
+    kernel::<Wald>(&mut groups);
+    kernel::<Keidy<Vertices>>(&mut groups);
+    kernel::<Keidy<WithNormal>>(&mut groups);
+    kernel::<PerpendicularPlanes>(&mut groups);
+    kernel::<Chirkov>(&mut groups);
+    kernel::<Plucker>(&mut groups);
+    kernel::<HalfSpaces>(&mut groups);
+    kernel::<SignedAreas>(&mut groups);
+    groups
+}
+
+fn kernel<K: Offers>(groups: &mut Vec<Group>) {
+    spans::<K, TwoSided, Compare>(groups);
+    if K::CULLS {
+        spans::<K, Cull, Compare>(groups);
+    }
+    if K::SIGN_BITS {
+        spans::<K, TwoSided, SignBits>(groups);
+    }
+    if K::PRODUCTS {
+        spans::<K, TwoSided, Products>(groups);
+    }
+}
+
+fn spans<K: Offers, F: Facing, C: Tests>(groups: &mut Vec<Group>) {
+    groups.push(group::<K, F, C, FromZero>());
+    groups.push(group::<K, F, C, Between>());
+}
+
+fn group<K: Offers, F: Facing, C: Tests, S: Span>() -> Group {
+    let mut forms = Vec::new();
+    if K::FIRST && !C::SIGN_BITS {
+        exits::<K, First, F, C, S>(&mut forms);
+    }
+    if K::LAST {
+        exits::<K, Last, F, C, S>(&mut forms);
+    }
+    Group {
+        kernel: K::ABOUT.id,
+        stored: K::ABOUT.stored,
+        tests: C::NAME,
+        culls: F::CULLS,
+        from_zero: S::FROM_ZERO,
+        forms,
+    }
+}
+
+fn exits<K: Offers, D: Division, F: Facing, C: Tests, S: Span>(forms: &mut Vec<(String, Run)>) {
+    orders::<K, Early, D, Plain, F, C, S>(forms);
+    orders::<K, Early, D, Fused, F, C, S>(forms);
+    orders::<K, Full, D, Plain, F, C, S>(forms);
+    orders::<K, Full, D, Fused, F, C, S>(forms);
+}
+
+fn orders<K, E, D, A, F, C, S>(forms: &mut Vec<(String, Run)>)
+where
+    K: Offers,
+    E: Exit,
+    D: Division,
+    A: Rounding,
+    F: Facing,
+    C: Tests,
+    S: Span,
+{
+    let axes = |order: &str| format!("{}/{}/{}/{order}", E::NAME, D::NAME, A::NAME);
+    forms.push((axes(K::Native::NAME), run::<K, Form<E, D, A, Tuv, F, C, K::Native, S>>));
+    if K::BOTH_ORDERS {
+        type Swapped<K> = <<K as Offers>::Native as Other>::Other;
+        forms.push((axes(Swapped::<K>::NAME), run::<K, Form<E, D, A, Tuv, F, C, Swapped<K>, S>>));
+    }
+}
+
+fn run<K: Kernel, P: Policy>(ray: &Ray<Exact>, corners: &Corners<Exact>) -> Answer {
+    let met = K::meet::<P, Exact>((), &K::prepare(corners));
+    match K::test::<P, Exact>(ray, &met) {
+        Ok(found) if found.hit => Some([found.t, found.u, found.v]),
+        _ => None,
+    }
+}
+
+/// Whether two answers are the same.
+pub fn same(a: &Answer, b: &Answer) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| a.same(*b)),
+        (None, None) => true,
+        _ => false,
+    }
+}
