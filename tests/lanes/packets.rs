@@ -76,7 +76,7 @@ fn number<E: Element>(draw: &mut Pcg, family: &str) -> E {
         ("huge", 6..11) => unit * E::MAX.sqrt(),
         ("not finite", 0) => infinity,
         ("not finite", 1) => -infinity,
-        ("not finite", 2) if draw.below(2) == 0 => E::ZERO / E::ZERO,
+        ("not finite", 2) if draw.below(2) == 0 => infinity * E::ZERO,
         _ => unit,
     }
 }
