@@ -36,12 +36,10 @@ macro_rules! level {
 
         /// Every level of this processor's architecture, lowest first, and whether it has it.
         pub fn levels() -> Vec<(&'static str, bool)> {
-            let mut levels = Vec::new();
-            $(
+            vec![$(
                 $(#[$cfg])*
-                levels.push(($type::NAME, $type::token().is_some()));
-            )*
-            levels
+                ($type::NAME, $type::token().is_some()),
+            )*]
         }
     };
 }

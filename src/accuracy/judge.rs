@@ -63,8 +63,7 @@ impl Judgement {
             if !error.is_finite() {
                 self.non_finite += 1;
             }
-            // Asked this way round, NaN is wrong.
-            if !(error.abs() <= limit) {
+            if error.is_nan() || error.abs() > limit {
                 self.blame(format!(
                     "item {place}: {name} is off by {:e}, rounding explains {limit:e}",
                     error.abs()

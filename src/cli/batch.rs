@@ -41,7 +41,8 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     let mut environment = Environment::capture(&mut WallClock::new());
     environment.levels = levels()
         .into_iter()
-        .filter_map(|(level, available)| available.then(|| level.to_owned()))
+        .filter(|(_, available)| *available)
+        .map(|(level, _)| level.to_owned())
         .collect();
     let folder = Folder::create(batch.out.as_deref(), config_hash(&sources, batch), environment)?;
     eprintln!(

@@ -259,6 +259,9 @@ where
     }
 }
 
+/// The loop over pairs, of the forms that have one.
+type OptionalPairs<K, E> = Option<PairsLoop<E, <K as Kernel>::Record<E>>>;
+
 /// One variant.
 fn form<K, R, L, E, D, A, O, F, C, Q, const COPY: usize>(v: &mut Vec<Variant>)
 where
@@ -274,7 +277,7 @@ where
     C: Tests,
     Q: Leading,
 {
-    let mut pairs: Option<PairsLoop<R::Element, K::Record<R::Element>>> = None;
+    let mut pairs: OptionalPairs<K, R::Element> = None;
     if R::LANES == 1 {
         pairs = Some(enter::<L, Pairs<K, Form<E, D, A, O, F, C, Q, Between>, R::Element>, COPY>);
     }
@@ -308,7 +311,7 @@ fn push<K: Offers, E: Element>(
     axes: Axes,
     available: fn() -> bool,
     lanes: usize,
-    pairs: Option<PairsLoop<E, K::Record<E>>>,
+    pairs: OptionalPairs<K, E>,
     nearest: NearestLoop<E, K::Record<E>>,
 ) {
     v.push(Variant {
