@@ -32,7 +32,7 @@ pub fn widened<E: Element>(ray: &workload::Ray) -> Ray<E> {
 pub type PairsLoop<E, T> = fn(Walk<'_, (Ray<E>, T)>) -> Tally;
 
 /// The compiled loop of a form over packets of rays and all triangles.
-pub type NearestLoop<E, T> = fn(Scene<'_, E, T>) -> Tally;
+pub type NearestLoop<E, T> = fn(Scene<'_, E, T>);
 
 /// Pairs of rays and records with the loop that tests them.
 pub struct PairsJob<E, T> {
@@ -99,6 +99,7 @@ impl<E: Element, T: Copy> Job for PairsJob<E, T> {
 /// Packets of rays and records with the loop that tests them.
 pub struct NearestJob<E, T> {
     lanes: usize,
+    outputs: usize,
     original: Vec<E>,
     laid_out: Vec<E>,
     records: Vec<T>,
@@ -107,8 +108,14 @@ pub struct NearestJob<E, T> {
 }
 
 impl<E: Element, T: Copy> NearestJob<E, T> {
-    /// A job over `rays`, whose number is a multiple of `lanes`, and `records`.
-    pub fn new(lanes: usize, rays: &[Ray<E>], records: Vec<T>, run: NearestLoop<E, T>) -> Self {
+    /// A job over `rays`, whose number is a multiple of `lanes`, and `records`. `outputs` numbers of
+    /// an answer are reported: 0, t, with u and v, or all 9.
+    pub fn new(
+        (lanes, outputs): (usize, usize),
+        rays: &[Ray<E>],
+        records: Vec<T>,
+        run: NearestLoop<E, T>,
+    ) -> Self {
         let mut numbers = Vec::with_capacity(rays.len() * RAY_NUMBERS);
         for packet in rays.chunks_exact(lanes) {
             for row in 0..RAY_NUMBERS {
@@ -116,7 +123,15 @@ impl<E: Element, T: Copy> NearestJob<E, T> {
             }
         }
         let answers = vec![E::ZERO; rays.len() * ANSWER_NUMBERS];
-        NearestJob { lanes, laid_out: numbers.clone(), original: numbers, records, answers, run }
+        NearestJob {
+            lanes,
+            outputs,
+            laid_out: numbers.clone(),
+            original: numbers,
+            records,
+            answers,
+            run,
+        }
     }
 }
 
@@ -129,6 +144,27 @@ fn ray_number<E: Element>(ray: &Ray<E>, row: usize) -> E {
         9 => ray.t_min,
         _ => ray.t_max,
     }
+}
+
+/// The tally of packets' answers, of which the first `outputs` numbers are reported. Here, once per
+/// element type, rather than in every form: a packet has been through all triangles by then.
+fn sum<E: Element>(answers: &[E], lanes: usize, outputs: usize) -> Tally {
+    let mut tally = Tally::default();
+    for packet in answers.chunks_exact(ANSWER_NUMBERS * lanes) {
+        let (triangles, numbers) = packet.split_at(lanes);
+        for (sum, row) in tally.bits.iter_mut().zip(numbers.chunks_exact(lanes)).take(outputs) {
+            for (number, triangle) in row.iter().zip(triangles) {
+                *sum = sum.wrapping_add(number.bits() & keep(*triangle));
+            }
+        }
+        tally.hits += triangles.iter().map(|triangle| keep(*triangle) & 1).sum::<u64>();
+    }
+    tally
+}
+
+/// All bits where a triangle was hit, none where its number is -1.
+fn keep<E: Element>(triangle: E) -> u64 {
+    u64::from(triangle.ge(E::ZERO)).wrapping_neg()
 }
 
 impl<E: Element, T: Copy> Job for NearestJob<E, T> {
@@ -149,7 +185,9 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
                 records: &self.records,
                 answers: &mut self.answers[first * answer..(first + items) * answer],
             };
-            tally = tally.plus((self.run)(scene));
+            (self.run)(scene);
+            let found = &self.answers[first * answer..(first + items) * answer];
+            tally = tally.plus(sum(found, self.lanes, self.outputs));
         };
         if block.literal {
             for first in block.first..block.first + block.items {

@@ -3,11 +3,10 @@
 use std::hint::black_box;
 use std::marker::PhantomData;
 
-use super::{Sums, surface_point};
-use crate::job::Tally;
+use super::surface_point;
 use crate::kernels::Kernel;
 use crate::level::{Batch, Level, On};
-use crate::number::{Element, Mask, Real, Vec3};
+use crate::number::{Element, Real, Vec3};
 use crate::policy::{Exit, Found, Output, Policy, Ray};
 
 /// The widest packet that there is, in rays.
@@ -88,25 +87,23 @@ where
     R: Real + On<L>,
 {
     type Data<'a> = Scene<'a, R::Element, K::Record<R::Element>>;
-    type Yield = Tally;
+    type Yield = ();
 
     #[inline(always)]
-    fn run(token: L::Token, scene: Self::Data<'_>) -> Tally {
+    fn run(token: L::Token, scene: Self::Data<'_>) {
         let token = R::token_on(token);
         if size_of::<R>() > 16 {
             // See [`Anchor`].
             let anchor = Anchor(0);
             black_box(&anchor);
         }
-        let mut sums = Sums::default();
         let packets = scene.rays.chunks_exact(RAY_NUMBERS * R::LANES);
         let answers = scene.answers.chunks_exact_mut(ANSWER_NUMBERS * R::LANES);
         for (packet, answer) in packets.zip(answers) {
             let mut ray = load::<R>(token, packet);
             let best = walk::<K, P, R>(token, &mut ray, scene.records);
-            write::<P, R>(&ray, &best, answer, &mut sums);
+            write::<P, R>(&ray, &best, answer);
         }
-        Tally { hits: sums.hits, bits: sums.bits }
     }
 }
 
@@ -155,20 +152,12 @@ fn walk<K: Kernel, P: Policy, R: Real>(
         }
         index = index + one;
     }
-    if P::Output::T {
-        best.hit = best.triangle.ge(nothing);
-    }
     best
 }
 
-/// Stores a packet's answer and adds it to the sums.
+/// Stores a packet's answer.
 #[inline(always)]
-fn write<P: Policy, R: Real>(
-    ray: &Ray<R>,
-    best: &Best<R>,
-    answer: &mut [R::Element],
-    sums: &mut Sums,
-) {
+fn write<P: Policy, R: Real>(ray: &Ray<R>, best: &Best<R>, answer: &mut [R::Element]) {
     let point = if P::Output::SURFACE {
         surface_point(ray.origin, ray.direction, best.t)
     } else {
@@ -184,19 +173,5 @@ fn write<P: Policy, R: Real>(
     let rows = [triangle[0], best.t, best.u, best.v, x, y, z, nx, ny, nz];
     for (row, place) in rows.into_iter().zip(answer.chunks_exact_mut(R::LANES)) {
         row.store(place);
-    }
-    for lane in 0..R::LANES {
-        let hit = best.hit.lane(lane);
-        let keep = if R::LANES == 1 { P::Exit::spread(hit) } else { u64::from(hit).wrapping_neg() };
-        let at = |row: usize| answer[row * R::LANES + lane];
-        if P::Output::SURFACE {
-            sums.add(keep, &[at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9)]);
-        } else if P::Output::UV {
-            sums.add(keep, &[at(1), at(2), at(3)]);
-        } else if P::Output::T {
-            sums.add(keep, &[at(1)]);
-        } else {
-            sums.add::<R::Element>(keep, &[]);
-        }
     }
 }

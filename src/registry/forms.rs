@@ -302,7 +302,9 @@ where
         tests: C::NAME,
         copy: COPY,
     };
-    push::<K, R::Element>(v, axes, level::available::<L>, R::LANES, pairs, nearest);
+    let outputs = [usize::from(O::T), 2 * usize::from(O::UV), 6 * usize::from(O::SURFACE)];
+    let shape = (R::LANES, outputs.iter().sum());
+    push::<K, R::Element>(v, axes, level::available::<L>, shape, pairs, nearest);
 }
 
 /// What is the same for all forms of a kernel over an element type.
@@ -310,7 +312,7 @@ fn push<K: Offers, E: Element>(
     v: &mut Vec<Variant>,
     axes: Axes,
     available: fn() -> bool,
-    lanes: usize,
+    shape: (usize, usize),
     pairs: OptionalPairs<K, E>,
     nearest: NearestLoop<E, K::Record<E>>,
 ) {
@@ -320,8 +322,8 @@ fn push<K: Offers, E: Element>(
         bytes_per_triangle: size_of::<K::Record<E>>(),
         available,
         pairs: pairs.map(|run| bind_pairs(K::prepare::<E>, run, exit_code::<K, E>)),
-        nearest: Some(bind_nearest(lanes, K::prepare::<E>, nearest)),
-        lanes,
+        nearest: Some(bind_nearest(shape, K::prepare::<E>, nearest)),
+        lanes: shape.0,
     });
 }
 

@@ -109,15 +109,15 @@ fn bind_pairs<E: Element, T: Copy + 'static>(
     })
 }
 
-/// A binder over packets of `lanes` rays and all triangles.
+/// A binder over packets of rays and all triangles; `shape` is the lanes and the outputs.
 fn bind_nearest<E: Element, T: Copy + 'static>(
-    lanes: usize,
+    shape: (usize, usize),
     prepare: fn(&Corners<E>) -> T,
     run: crate::batch::NearestLoop<E, T>,
 ) -> Binder {
     Box::new(move |rays, triangles| {
         let rays: Vec<Ray<E>> = rays.iter().map(widened).collect();
         let records = triangles.iter().map(|triangle| prepare(&corners(triangle))).collect();
-        Box::new(NearestJob::new(lanes, &rays, records, run))
+        Box::new(NearestJob::new(shape, &rays, records, run))
     })
 }
