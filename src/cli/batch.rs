@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::folder::{Folder, Source, built_in_sources};
 use super::{interrupt, progress};
 use crate::experiment::{
-    Bench, Experiment, Plan, Profile, SECONDS_PER_BLOCK, Workload, run as run_plan,
+    Bench, Experiment, Plan, Profile, SECONDS_PER_BLOCK, Workload, pattern_of, run as run_plan,
 };
 use crate::level::levels;
 use crate::measure::{Environment, InvoluntarySwitches, WallClock};
@@ -55,10 +55,8 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
 }
 
 fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
-    let filter =
-        batch.filter.as_deref().map(regex::Regex::new).transpose().map_err(|error| {
-            Failure::Usage(format!("--filter: not a regular expression: {error}"))
-        })?;
+    let filter = batch.filter.as_deref().map(pattern_of).transpose();
+    let filter = filter.map_err(|error| Failure::Usage(format!("--filter: {error}")))?;
     let mut plans: Vec<Plan> = Vec::new();
     for (origin, text) in sources {
         let plan = Plan::new(origin, Experiment::parse(origin, text)?, filter.as_ref())?;

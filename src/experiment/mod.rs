@@ -24,5 +24,5 @@ pub use plan::{Plan, Profile, SECONDS_PER_BLOCK};
 pub use rows::{of_variant, put_percent_slower};
 pub use run::{Outcome, RunError, run};
 pub use scene::{Facts, Scene};
-pub use select::select;
+pub use select::{pattern_of, select};
 pub use workload::{CodesWorkload, NearestWorkload, PairsWorkload, PointsWorkload, Workload};

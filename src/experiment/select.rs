@@ -1,6 +1,6 @@
 //! Which variants an experiment, and a filter, choose.
 
-use regex::Regex;
+use regex::{Regex, RegexBuilder};
 
 use crate::registry::{Variant, variants};
 
@@ -11,8 +11,7 @@ use crate::registry::{Variant, variants};
 pub fn select(patterns: &[String]) -> Result<Vec<&'static Variant>, String> {
     let mut chosen: Vec<&'static Variant> = Vec::new();
     for pattern in patterns {
-        let regex = Regex::new(pattern)
-            .map_err(|error| format!("variants: '{pattern}' is no regular expression: {error}"))?;
+        let regex = pattern_of(pattern).map_err(|error| format!("variants: {error}"))?;
         let mut seen = 0;
         for variant in variants() {
             if regex.is_match(&variant.id()) {
@@ -29,4 +28,15 @@ pub fn select(patterns: &[String]) -> Result<Vec<&'static Variant>, String> {
         }
     }
     Ok(chosen)
+}
+
+/// A regular expression over ids, which are ASCII.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn pattern_of(text: &str) -> Result<Regex, String> {
+    RegexBuilder::new(text)
+        .unicode(false)
+        .build()
+        .map_err(|error| format!("'{text}' is no regular expression: {error}"))
 }

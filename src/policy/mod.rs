@@ -6,14 +6,16 @@
 
 mod axes;
 mod scale;
+mod tests;
 
 use std::marker::PhantomData;
 
 pub use axes::{
-    Between, Compare, Cull, Distance, Early, Exit, Facing, FromZero, Full, Fused, Hit, Inside,
-    Leading, Output, Plain, Products, Rounding, SignBits, Span, Surface, T, Tests, Tuv, TwoSided,
+    Between, Cull, Distance, Early, Exit, Facing, FromZero, Full, Fused, Hit, Inside, Leading,
+    Output, Plain, Rounding, Span, Surface, T, Tuv, TwoSided,
 };
 pub use scale::{Division, First, Last, Scale};
+pub use tests::{Compare, Products, SignBits, Tests};
 
 use crate::number::{Mask, Real, Vec3};
 

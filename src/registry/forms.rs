@@ -3,117 +3,17 @@
 use crate::batch::{Nearest, NearestLoop, Pairs, PairsLoop};
 use crate::kernels::{
     AngleSum, BadouelCramer, Chirkov, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
-    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Stored, Vertices, Wald,
-    WithNormal,
+    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices, Wald, WithNormal,
 };
 use crate::level::{self, Level, On, enter};
 use crate::number::Element;
 use crate::policy::{
-    Between, Compare, Cull, Distance, Division, Early, Exit, Facing, First, Form, FromZero, Full,
-    Fused, Hit, Inside, Last, Leading, Output, Plain, Policy, Products, Ray, Rounding, SignBits,
-    Surface, T, Tests, Tuv, TwoSided,
+    Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused, Hit,
+    Inside, Last, Leading, Output, Plain, Policy, Products, Ray, Rounding, SignBits, Surface, T,
+    Tests, Tuv, TwoSided,
 };
 
-use super::{Axes, Variant, bind_nearest, bind_pairs};
-
-/// What a kernel offers of each axis.
-pub trait Offers: Kernel {
-    /// It can divide first.
-    const FIRST: bool = true;
-    /// It can divide last.
-    const LAST: bool = true;
-    /// The test that comes first in its published form.
-    type Native: Other;
-    /// Its tests can come in the other order.
-    const BOTH_ORDERS: bool = false;
-    /// Thesis H's sign-bit form.
-    const SIGN_BITS: bool = false;
-    /// Comparisons of products beside those of signs.
-    const PRODUCTS: bool = false;
-    /// It can cull.
-    const CULLS: bool = false;
-    /// It runs in packets.
-    const PACKETS: bool = true;
-    /// It yields u and v.
-    const UV: bool = true;
-    /// Its record is the first, or only, that the kernel has.
-    const NATIVE_RECORD: bool = true;
-}
-
-impl Offers for MollerTrumbore {
-    type Native = Inside;
-    const BOTH_ORDERS: bool = true;
-    const SIGN_BITS: bool = true;
-    const CULLS: bool = true;
-}
-impl<S: Stored + IsVertices> Offers for KenslerShirley<S> {
-    type Native = Distance;
-    const BOTH_ORDERS: bool = S::IS_VERTICES;
-    const SIGN_BITS: bool = S::IS_VERTICES;
-    const CULLS: bool = S::IS_VERTICES;
-    const NATIVE_RECORD: bool = S::IS_VERTICES;
-}
-impl Offers for Shevtsov {
-    type Native = Distance;
-    const SIGN_BITS: bool = true;
-    const CULLS: bool = true;
-}
-impl Offers for BadouelCramer {
-    type Native = Distance;
-    const SIGN_BITS: bool = true;
-}
-impl Offers for Wald {
-    type Native = Distance;
-    const SIGN_BITS: bool = true;
-}
-impl<S: Stored + IsVertices> Offers for Keidy<S> {
-    type Native = Distance;
-    const BOTH_ORDERS: bool = S::IS_VERTICES;
-    const SIGN_BITS: bool = S::IS_VERTICES;
-    const NATIVE_RECORD: bool = S::IS_VERTICES;
-}
-impl Offers for PerpendicularPlanes {
-    type Native = Distance;
-    const SIGN_BITS: bool = true;
-}
-impl Offers for Chirkov {
-    type Native = Inside;
-    const FIRST: bool = false;
-    const PRODUCTS: bool = true;
-}
-impl Offers for Plucker {
-    type Native = Inside;
-    const FIRST: bool = false;
-}
-impl Offers for HalfSpaces {
-    type Native = Inside;
-    const FIRST: bool = false;
-}
-impl Offers for SignedAreas {
-    type Native = Distance;
-    const LAST: bool = false;
-}
-impl Offers for AngleSum {
-    type Native = Distance;
-    const LAST: bool = false;
-    const PACKETS: bool = false;
-    const UV: bool = false;
-}
-
-/// Which record of several is the kernel's first.
-pub trait IsVertices {
-    /// Three vertices, nothing prepared.
-    const IS_VERTICES: bool;
-}
-impl IsVertices for Vertices {
-    const IS_VERTICES: bool = true;
-}
-impl IsVertices for WithNormal {
-    const IS_VERTICES: bool = false;
-}
-impl IsVertices for Precomputed {
-    const IS_VERTICES: bool = false;
-}
+use super::{Axes, Offers, Other, Variant, bind_nearest, bind_pairs};
 
 /// Every kernel in every form.
 pub fn all(v: &mut Vec<Variant>) {
@@ -341,18 +241,6 @@ fn exit_code<K: Offers, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
             ray, record,
         )
     }
-}
-
-/// The other order of tests.
-pub trait Other: Leading {
-    /// Distance for inside, inside for distance.
-    type Other: Leading;
-}
-impl Other for Distance {
-    type Other = Inside;
-}
-impl Other for Inside {
-    type Other = Distance;
 }
 
 /// Three copies of the reference kernel.

@@ -4,11 +4,12 @@ mod arithmetic;
 mod axes;
 mod forms;
 mod listings;
+mod offers;
 mod points;
 
 pub use arithmetic::{Unit, units};
 pub use axes::{Axes, COLUMNS};
-pub use forms::{Offers, Other};
+pub use offers::{Offers, Other};
 
 use std::sync::LazyLock;
 

@@ -1,0 +1,119 @@
+//! What each kernel offers of each axis.
+
+use crate::kernels::{
+    AngleSum, BadouelCramer, Chirkov, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
+    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Stored, Vertices, Wald,
+    WithNormal,
+};
+use crate::policy::{Distance, Inside, Leading};
+
+/// What a kernel offers of each axis.
+pub trait Offers: Kernel {
+    /// It can divide first.
+    const FIRST: bool = true;
+    /// It can divide last.
+    const LAST: bool = true;
+    /// The test that comes first in its published form.
+    type Native: Other;
+    /// Its tests can come in the other order.
+    const BOTH_ORDERS: bool = false;
+    /// Thesis H's sign-bit form.
+    const SIGN_BITS: bool = false;
+    /// Comparisons of products beside those of signs.
+    const PRODUCTS: bool = false;
+    /// It can cull.
+    const CULLS: bool = false;
+    /// It runs in packets.
+    const PACKETS: bool = true;
+    /// It yields u and v.
+    const UV: bool = true;
+    /// Its record is the first, or only, that the kernel has.
+    const NATIVE_RECORD: bool = true;
+}
+
+impl Offers for MollerTrumbore {
+    type Native = Inside;
+    const BOTH_ORDERS: bool = true;
+    const SIGN_BITS: bool = true;
+    const CULLS: bool = true;
+}
+impl<S: Stored + IsVertices> Offers for KenslerShirley<S> {
+    type Native = Distance;
+    const BOTH_ORDERS: bool = S::IS_VERTICES;
+    const SIGN_BITS: bool = S::IS_VERTICES;
+    const CULLS: bool = S::IS_VERTICES;
+    const NATIVE_RECORD: bool = S::IS_VERTICES;
+}
+impl Offers for Shevtsov {
+    type Native = Distance;
+    const SIGN_BITS: bool = true;
+    const CULLS: bool = true;
+}
+impl Offers for BadouelCramer {
+    type Native = Distance;
+    const SIGN_BITS: bool = true;
+}
+impl Offers for Wald {
+    type Native = Distance;
+    const SIGN_BITS: bool = true;
+}
+impl<S: Stored + IsVertices> Offers for Keidy<S> {
+    type Native = Distance;
+    const BOTH_ORDERS: bool = S::IS_VERTICES;
+    const SIGN_BITS: bool = S::IS_VERTICES;
+    const NATIVE_RECORD: bool = S::IS_VERTICES;
+}
+impl Offers for PerpendicularPlanes {
+    type Native = Distance;
+    const SIGN_BITS: bool = true;
+}
+impl Offers for Chirkov {
+    type Native = Inside;
+    const FIRST: bool = false;
+    const PRODUCTS: bool = true;
+}
+impl Offers for Plucker {
+    type Native = Inside;
+    const FIRST: bool = false;
+}
+impl Offers for HalfSpaces {
+    type Native = Inside;
+    const FIRST: bool = false;
+}
+impl Offers for SignedAreas {
+    type Native = Distance;
+    const LAST: bool = false;
+}
+impl Offers for AngleSum {
+    type Native = Distance;
+    const LAST: bool = false;
+    const PACKETS: bool = false;
+    const UV: bool = false;
+}
+
+/// Which record of several is the kernel's first.
+pub trait IsVertices {
+    /// Three vertices, nothing prepared.
+    const IS_VERTICES: bool;
+}
+impl IsVertices for Vertices {
+    const IS_VERTICES: bool = true;
+}
+impl IsVertices for WithNormal {
+    const IS_VERTICES: bool = false;
+}
+impl IsVertices for Precomputed {
+    const IS_VERTICES: bool = false;
+}
+
+/// The other order of tests.
+pub trait Other: Leading {
+    /// Distance for inside, inside for distance.
+    type Other: Leading;
+}
+impl Other for Distance {
+    type Other = Inside;
+}
+impl Other for Inside {
+    type Other = Distance;
+}
