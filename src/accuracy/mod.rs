@@ -1,6 +1,8 @@
 //! Answers against the exact ones: what is wrong, what rounding excuses, how large errors are.
 
 mod judge;
+#[cfg(test)]
+mod tests;
 mod truth;
 
 pub use judge::{Judgement, Reported, judge, judge_nearest};

@@ -1,0 +1,154 @@
+//! Experiments from TOML to rows, on a clock that tells what it is told.
+#![cfg(feature = "cli")]
+
+use std::sync::atomic::AtomicBool;
+
+use ray_test::experiment::{Bench, Experiment, Outcome, Plan, run};
+use ray_test::measure::{ScriptedClock, Undisturbed};
+use ray_test::table::Row;
+
+/// Runs an experiment in 16 rounds; every reading of the clock is 1 us after the one before.
+fn rows(text: &str, cancelled: bool) -> Outcome {
+    let experiment = Experiment::parse("test.toml", text).expect("the test's own text");
+    let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
+    let cancel = AtomicBool::new(cancelled);
+    let mut bench = Bench {
+        rounds: 16,
+        clock: &mut ScriptedClock::new(1_000),
+        disturbance: &mut Undisturbed,
+        progress: &mut |_| {},
+        cancel: &cancel,
+    };
+    run(&plan, &mut bench).expect("a workload that can be drawn")
+}
+
+fn pairs(variants: &str, more: &str) -> String {
+    format!(
+        "id = 'test'\ntitle = 'A test'\nquestion = 'Does it run?'\nwhy = 'It must.'\n\
+         variants = [{variants}]\n{more}\n[workload]\nkind = 'pairs'\ncount = 40\n\
+         reshuffled_count = 40\ndensity = [0.25, 0.5]\norders = ['literal', 'fixed', 'reshuffled']\n\
+         seconds_of_tests = 1000.0\n"
+    )
+}
+
+#[test]
+fn a_row_for_every_variant_density_and_order() {
+    let outcome = rows(&pairs("'^moller[01]/f32/single/sse2/early/[a-z]+/plain/t$'", ""), false);
+    assert_eq!(outcome.rows.len(), 2 * 2 * 3);
+    assert!(outcome.wrong.is_empty() && !outcome.interrupted);
+    for row in &outcome.rows {
+        assert_eq!((row.status.as_str(), row.experiment.as_str()), ("ok", "test"), "{row:?}");
+        assert_eq!(row.hits, row.density.map(|density| (density * 40.0) as u64));
+        assert_eq!(
+            (row.false_hits, row.false_misses, row.nan_outputs),
+            (Some(0), Some(0), Some(0))
+        );
+        assert!(row.ns_per_test.is_some_and(|ns| ns > 0.0));
+        // Seconds are those of the number of tests that was asked for.
+        let seconds = row.ns_per_test.map(|ns| ns * 1000.0 * 1e-9);
+        assert_eq!(row.seconds, seconds);
+        assert!(row.percent_slower.is_some_and(|percent| percent >= 0.0));
+    }
+}
+
+#[test]
+fn what_cannot_run_is_skipped_with_its_reason() {
+    let patterns = "'^moller1/f32/single/sse2/early/last/plain/t$', '^keidy/.*/query=point$'";
+    let outcome = rows(&pairs(patterns, ""), false);
+    let skipped: Vec<&Row> = outcome.rows.iter().filter(|row| row.status == "skipped").collect();
+    assert!(!skipped.is_empty());
+    for row in skipped {
+        assert_eq!(row.ns_per_test, None);
+        assert!(row.reason.contains("query"), "{}", row.reason);
+    }
+}
+
+/// A segment kernel asked about lines is wrong about every line that meets a triangle outside of
+/// its segment. That is what makes it a test of the check before the clock.
+#[test]
+fn a_wrong_kernel_is_never_timed() {
+    let outcome = rows(&pairs("'^chirkov/f32/single/sse2/early/last/plain/tuv$'", ""), false);
+    // Judged on (origin, end) it is right about its own question; so ask a listing about segments.
+    assert!(outcome.wrong.is_empty());
+    let segments = pairs("'^moller1/f32/single/sse2/early/last/plain/t$'", "")
+        .replace("count = 40\n", "query = 'segment'\ncount = 40\n");
+    let outcome = rows(&segments, false);
+    assert_eq!(outcome.wrong, ["moller1/f32/single/sse2/early/last/plain/t"]);
+    for row in &outcome.rows {
+        assert_eq!(row.status, "wrong-result");
+        assert_eq!((row.ns_per_test, row.min_ns, row.rounds), (None, None, None));
+        assert!(!row.reason.is_empty());
+    }
+}
+
+#[test]
+fn packets_find_what_single_rays_find() {
+    let text = "id = 'test'\ntitle = 'A test'\nquestion = 'Does it run?'\nwhy = 'It must.'\n\
+        variants = ['^wald/f32/(single|packet4)/sse2/(early|full)/last/plain/(hit|tuv|surface)$']\n\
+        [workload]\nkind = 'nearest'\ntriangles = 20\nrays = 16\nreshuffled_rays = 32\n\
+        orders = ['fixed', 'reshuffled']\n";
+    let outcome = rows(text, false);
+    assert_eq!(outcome.rows.len(), 2 * (2 * 3 + 2));
+    for order in ["fixed", "reshuffled"] {
+        let of: Vec<&Row> = outcome.rows.iter().filter(|row| row.order == order).collect();
+        assert!(of.iter().all(|row| row.status == "ok" && row.hits == of[0].hits), "{of:?}");
+        let rays = if order == "fixed" { 16 } else { 32 };
+        assert!(of.iter().all(|row| row.tests == Some(20 * rays) && row.density.is_none()));
+    }
+}
+
+#[test]
+fn prices_need_the_literal_form_and_both_others() {
+    let all = "'^moller1/f32/single/sse2/early/last/plain/t(/priced=dot(-control)?)?$'";
+    let outcome = rows(&pairs(all, ""), false);
+    let priced: Vec<&Row> = outcome.rows.iter().filter(|row| row.price.is_some()).collect();
+    assert_eq!(priced.len(), 2 * 3);
+    assert!(priced.iter().all(|row| row.priced == "dot" && row.kernel == "moller1"));
+    let without = "'^moller1/f32/single/sse2/early/last/plain/t/priced=dot(-control)?$'";
+    assert!(rows(&pairs(without, ""), false).rows.iter().all(|row| row.price.is_none()));
+}
+
+#[test]
+fn codes_are_counted_and_add_up() {
+    let text = "id = 'test'\ntitle = 'A test'\nquestion = 'Does it run?'\nwhy = 'It must.'\n\
+        variants = ['^(moller1|badouel)/f32/single/sse2/early/[a-z]+/plain/t$']\n[workload]\n\
+        kind = 'codes'\npairs = 20000\ntimed_pairs = 50\norders = ['literal', 'fixed']\n";
+    let outcome = rows(text, false);
+    for kernel in ["moller1", "badouel"] {
+        for order in ["literal", "fixed"] {
+            let of = |row: &&Row| row.kernel == kernel && row.order == order;
+            let rows: Vec<&Row> = outcome.rows.iter().filter(of).collect();
+            assert!(rows.len() >= 3, "{kernel} {order}: {} codes", rows.len());
+            assert_eq!(rows.iter().filter_map(|row| row.hits).sum::<u64>(), 20_000);
+            assert!(rows.iter().all(|row| row.status == "ok" && row.ns_per_test.is_some()));
+        }
+    }
+}
+
+#[test]
+fn a_cancelled_run_begins_nothing() {
+    let outcome = rows(&pairs("'^moller1/f32/single/sse2/early/last/plain/t$'", ""), true);
+    assert!(outcome.interrupted && outcome.rows.is_empty());
+}
+
+#[test]
+fn wrong_configs_are_refused_with_where_what_and_what_is_allowed() {
+    let good = pairs("'^moller1/f32/single/sse2/early/last/plain/t$'", "");
+    let refused = |text: &str, parts: &[&str]| {
+        let plan = Experiment::parse("test.toml", text)
+            .and_then(|experiment| Plan::new("test.toml", experiment, None).map(|_| ()));
+        let message = plan.expect_err("it is wrong").to_string();
+        for part in parts.iter().chain(&["test.toml"]) {
+            assert!(message.contains(part), "no '{part}' in: {message}");
+        }
+    };
+    refused(&good.replace("0.25", "1.25"), &["workload.density", "1.25", "0 to 1"]);
+    refused(&good.replace("0.25", "nan"), &["workload.density", "NaN", "0 to 1"]);
+    refused(&good.replace("count = 40", "count = 0"), &["workload.count", "0", "1 to"]);
+    refused(&good.replace("'fixed'", "'sorted'"), &["sorted", "literal"]);
+    refused(&good.replace("^moller1", "^mollar1"), &["matches no variant", "list variants"]);
+    refused(&good.replace("^moller1", "(moller1"), &["no regular expression"]);
+    refused(&good.replace("why", "reason"), &["reason"]);
+    refused(&good.replace("id = 'test'", "id = '../test'"), &["id", "../test", "lower-case"]);
+    refused(&format!("reference = 'none'\n{good}"), &["reference", "none"]);
+}
