@@ -92,7 +92,8 @@ fn every_claim_is_listed_once_and_every_experiment_names_listed_ones() {
         assert!(!source.is_empty() && statement.ends_with('.'), "{id}");
     }
     for (name, experiment) in experiments() {
-        assert!(!experiment.claims.is_empty(), "{name} decides nothing");
+        let mirrors = !experiment.mirrors.is_empty();
+        assert!(!mirrors || !experiment.claims.is_empty(), "{name} decides nothing");
         let own: BTreeSet<&str> = experiment.claims.iter().map(String::as_str).collect();
         assert_eq!(own.len(), experiment.claims.len(), "{name} names a claim twice");
         assert!(own.is_subset(&ids), "{name}: {:?}", own.difference(&ids));
@@ -124,7 +125,11 @@ fn the_theses_experiments_are_set_up_as_the_theses_are() {
         let words = format!("{:?}", experiment.workload);
         match name.get(..2) {
             Some("b-") if !words.starts_with("Counts") => {
-                assert!(words.contains("[Literal, Fixed, Reshuffled]"), "{name}: {words}");
+                // Pairs of a rare code are too few for a block in an order of their own.
+                let codes = words.starts_with("Codes");
+                let orders =
+                    if codes { "[Literal, Fixed]" } else { "[Literal, Fixed, Reshuffled]" };
+                assert!(words.contains(orders), "{name}: {words}");
                 assert!(experiment.reference.starts_with("moller1/f32/single/sse2/"), "{name}");
             }
             Some("h-") => assert!(words.contains("[Fixed, Reshuffled]"), "{name}: {words}"),
