@@ -33,12 +33,15 @@ pub struct Judgement {
     pub t_mean_relative: Option<f64>,
     /// Largest |t - exact| in units in the last place of the precision.
     pub t_max_ulp: Option<f64>,
+    /// The error of t that one hit in a thousand exceeds, in the same units.
+    pub t_p999_ulp: Option<f64>,
     /// Largest |u - exact|.
     pub u_max: Option<f64>,
     /// Largest |v - exact|.
     pub v_max: Option<f64>,
     hits: u64,
     t_sum: f64,
+    t_ulps: Vec<f64>,
 }
 
 impl Judgement {
@@ -74,7 +77,7 @@ impl Judgement {
         if reported.t && t.is_finite() {
             self.t_sum += (t / exact.exact.t).abs();
             let ulp = exact.exact.t.abs() * 2.0 * reported.unit_roundoff;
-            self.t_max_ulp = larger(self.t_max_ulp, (t / binade(ulp)).abs());
+            self.t_ulps.push((t / binade(ulp)).abs());
         }
         if reported.uv && u.is_finite() && v.is_finite() {
             self.u_max = larger(self.u_max, u.abs());
@@ -85,6 +88,10 @@ impl Judgement {
     fn finished(mut self, reported: Reported) -> Self {
         if reported.t && self.hits > 0 {
             self.t_mean_relative = Some(self.t_sum / self.hits as f64);
+            self.t_ulps.sort_by(f64::total_cmp);
+            let last = self.t_ulps.len().saturating_sub(1);
+            self.t_max_ulp = self.t_ulps.last().copied();
+            self.t_p999_ulp = self.t_ulps.get((last as f64 * 0.999).round() as usize).copied();
         }
         self
     }

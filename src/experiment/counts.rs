@@ -44,7 +44,7 @@ fn of_counter(counter: &Counter, (rays, triangles): (&[Ray], &[Triangle])) -> Ve
         generator: "pcg".into(),
         workload_hash: format!("{:016x}", hash::workload(rays, triangles)),
         tests: Some(rays.len() as u64),
-        hits: Some(path.calls),
+        calls: Some(path.calls),
         share: Some(path.calls as f64 / rays.len() as f64),
         status: "ok".into(),
         code: Some(u64::from(path.code)),

@@ -30,6 +30,10 @@ pub fn rows(measured: &[Row], figures: &[Figures], variants: &[&'static Variant]
         else {
             continue;
         };
+        // Rounds of different groups are no pairs.
+        if twice_ns.len() != control_ns.len() || twice_ns.len() != literal_ns.len() {
+            continue;
+        }
         let shares: Vec<f64> = twice_ns
             .iter()
             .zip(control_ns)

@@ -58,6 +58,7 @@ pub fn put_judgement(row: &mut Row, judgement: &Judgement, hits: u64) {
     row.false_misses = Some(judgement.false_misses);
     row.nan_outputs = Some(judgement.non_finite);
     row.err_t_mean_rel = judgement.t_mean_relative;
+    row.err_t_p999_ulp = judgement.t_p999_ulp;
     row.err_t_max_ulp = judgement.t_max_ulp;
     row.err_u_max_abs = judgement.u_max;
     row.err_v_max_abs = judgement.v_max;
@@ -91,24 +92,35 @@ pub fn put_figures(row: &mut Row, figures: &Figures, ok: &str) {
     row.ratio_second_half = figures.ratio_second_half.as_ref().map(|ratio| ratio.estimate);
 }
 
-/// The thesis's column: how much slower the mean of a variant's row over the densities is than the
-/// smallest such mean, within each order, in percent.
+/// The thesis's column: how much slower the mean of a kernel's row over the densities is than the
+/// smallest such mean, within each order, in percent. A row with a density missing has none.
 pub fn put_percent_slower(rows: &mut [Row]) {
-    let mut means: Vec<(String, String, f64)> = Vec::new();
-    for row in rows.iter().filter(|row| row.ns_per_test.is_some()) {
-        if means.iter().any(|(order, id, _)| *order == row.order && *id == row.id) {
+    let densities = |rows: &[Row], order: &str| {
+        let mut bits: Vec<u64> = Vec::new();
+        for row in rows.iter().filter(|row| row.order == order) {
+            let density = row.density.map_or(0, f64::to_bits);
+            if !bits.contains(&density) {
+                bits.push(density);
+            }
+        }
+        bits.len()
+    };
+    let key = |row: &Row| (row.order.clone(), row.id.clone(), row.kernel.clone());
+    let mut means: Vec<((String, String, String), f64)> = Vec::new();
+    for row in rows.iter().filter(|row| row.price.is_none()) {
+        if means.iter().any(|(of, _)| *of == key(row)) {
             continue;
         }
-        let same = |other: &&Row| other.order == row.order && other.id == row.id;
-        let times: Vec<f64> =
-            rows.iter().filter(same).filter_map(|other| other.ns_per_test).collect();
-        let mean = times.iter().sum::<f64>() / times.len() as f64;
-        means.push((row.order.clone(), row.id.clone(), mean));
+        let same = |other: &&Row| other.price.is_none() && key(other) == key(row);
+        let own: Vec<f64> = rows.iter().filter(same).filter_map(|other| other.ns_per_test).collect();
+        if own.len() == densities(rows, &row.order) {
+            means.push((key(row), own.iter().sum::<f64>() / own.len() as f64));
+        }
     }
     for row in rows.iter_mut() {
-        let of_order = means.iter().filter(|(order, ..)| *order == row.order);
-        let smallest = of_order.clone().map(|(.., mean)| *mean).fold(f64::INFINITY, f64::min);
-        let own = of_order.clone().find(|(_, id, _)| *id == row.id);
-        row.percent_slower = own.map(|(.., mean)| (mean / smallest - 1.0) * 100.0);
+        let of_order = means.iter().filter(|((order, ..), _)| *order == row.order);
+        let smallest = of_order.clone().map(|(_, mean)| *mean).fold(f64::INFINITY, f64::min);
+        let own = of_order.clone().find(|(of, _)| *of == key(row));
+        row.percent_slower = own.map(|(_, mean)| (mean / smallest - 1.0) * 100.0);
     }
 }

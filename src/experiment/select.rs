@@ -1,6 +1,6 @@
 //! Which variants an experiment, and a filter, choose.
 
-use regex::{Regex, RegexBuilder};
+use regex::Regex;
 
 use crate::registry::{Variant, variants};
 
@@ -30,13 +30,11 @@ pub fn select(patterns: &[String]) -> Result<Vec<&'static Variant>, String> {
     Ok(chosen)
 }
 
-/// A regular expression over ids, which are ASCII.
+/// A regular expression over ids.
 ///
 /// # Errors
 /// What is wrong with it.
 pub fn pattern_of(text: &str) -> Result<Regex, String> {
-    RegexBuilder::new(text)
-        .unicode(false)
-        .build()
+    Regex::new(text)
         .map_err(|error| format!("'{text}' is no regular expression: {error}"))
 }

@@ -24,9 +24,31 @@ pub fn all(v: &mut Vec<Variant>) {
     levels::<Moller<3>>(v, Placement::BeforeTheBranchWithQ.division());
     levels::<Badouel>(v, "first");
     levels::<ChirkovLine>(v, "last");
-    prices::<Moller<1>>(v, "last");
-    prices::<Badouel>(v, "first");
-    prices::<ChirkovLine>(v, "last");
+    price::<Moller<1>, DOT>(v, "last");
+    price::<Moller<1>, CROSS>(v, "last");
+    price::<Moller<1>, DIFFERENCE>(v, "last");
+    price::<Moller<1>, DIVISION>(v, "last");
+    price::<Moller<1>, CONDITION>(v, "last");
+    price::<Badouel, DOT>(v, "first");
+    price::<Badouel, DIVISION>(v, "first");
+    price::<Badouel, CONDITION>(v, "first");
+    price::<ChirkovLine, DOT>(v, "last");
+    price::<ChirkovLine, DIVISION>(v, "last");
+    price::<ChirkovLine, CONDITION>(v, "last");
+}
+
+/// Indices into the kinds of [`Priced`]; each listing is priced for those that it has.
+const DOT: usize = 0;
+const CROSS: usize = 1;
+const DIFFERENCE: usize = 2;
+const DIVISION: usize = 3;
+const CONDITION: usize = 4;
+
+/// Three copies of thesis B's `moller`, the reference of its experiments.
+pub fn placebos(v: &mut Vec<Variant>) {
+    form::<Moller<1>, f32, Base, Literally, false, 1>(v, Placement::AtTheEnd.division());
+    form::<Moller<1>, f32, Base, Literally, false, 2>(v, Placement::AtTheEnd.division());
+    form::<Moller<1>, f32, Base, Literally, false, 3>(v, Placement::AtTheEnd.division());
 }
 
 fn levels<K: Listing>(v: &mut Vec<Variant>, division: &'static str) {
@@ -40,25 +62,17 @@ fn levels<K: Listing>(v: &mut Vec<Variant>, division: &'static str) {
 }
 
 fn outputs<K: Listing, E: Element + On<L>, L: Level>(v: &mut Vec<Variant>, division: &'static str) {
-    form::<K, E, L, Literally, false>(v, division);
-    form::<K, E, L, Literally, true>(v, division);
+    form::<K, E, L, Literally, false, 0>(v, division);
+    form::<K, E, L, Literally, true, 0>(v, division);
 }
 
-/// Each kind of operation twice, and its control (thesis B, 4.4).
-fn prices<K: Listing>(v: &mut Vec<Variant>, division: &'static str) {
-    price::<K, 0>(v, division);
-    price::<K, 1>(v, division);
-    price::<K, 2>(v, division);
-    price::<K, 3>(v, division);
-    price::<K, 4>(v, division);
-}
-
+/// A kind of operation twice, and its control (thesis B, 4.4).
 fn price<K: Listing, const KIND: usize>(v: &mut Vec<Variant>, division: &'static str) {
-    form::<K, f32, Base, Priced<KIND, true>, false>(v, division);
-    form::<K, f32, Base, Priced<KIND, false>, false>(v, division);
+    form::<K, f32, Base, Priced<KIND, true>, false, 0>(v, division);
+    form::<K, f32, Base, Priced<KIND, false>, false, 0>(v, division);
 }
 
-fn form<K, E, L, S, const UV: bool>(v: &mut Vec<Variant>, division: &'static str)
+fn form<K, E, L, S, const UV: bool, const COPY: usize>(v: &mut Vec<Variant>, division: &'static str)
 where
     K: Listing,
     E: Element + On<L>,
@@ -68,7 +82,7 @@ where
     fn exit_code<K: Listing, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
         K::run::<E, Literally, true>(ray, record).0
     }
-    let run: PairsLoop<E, K::Record<E>> = enter::<L, Listed<K, S, E, UV>, 0>;
+    let run: PairsLoop<E, K::Record<E>> = enter::<L, Listed<K, S, E, UV>, COPY>;
     let axes = Axes {
         kernel: K::ABOUT.id,
         precision: E::NAME,
@@ -87,7 +101,7 @@ where
         stored: K::ABOUT.stored,
         stored_is_native: true,
         tests: "compare",
-        copy: 0,
+        copy: COPY,
     };
     v.push(Variant {
         axes,

@@ -44,6 +44,18 @@ pub struct Variant {
 }
 
 impl Variant {
+    /// Whether a wrong decision is a fault. The sum of angles claims none: its wrong decisions are
+    /// counted, and it is timed.
+    pub fn claims_exactness(&self) -> bool {
+        self.axes.kernel != "angle-sum"
+    }
+
+    /// Whether it is a placebo of `other`.
+    pub fn is_copy_of(&self, other: &Variant) -> bool {
+        let original = Axes { copy: 0, ..self.axes.clone() };
+        self.axes.copy > 0 && original == other.axes
+    }
+
     /// The axes joined by slashes; unique.
     pub fn id(&self) -> String {
         self.axes.id()
@@ -62,11 +74,13 @@ pub fn variants() -> &'static [Variant] {
     &VARIANTS
 }
 
-/// The reference kernel's copies: the same source at other addresses, for the noise floor.
+/// Copies of the reference kernels, ours and thesis B's: the same source at other addresses, for
+/// the noise floor.
 pub fn placebos() -> &'static [Variant] {
     static PLACEBOS: LazyLock<Vec<Variant>> = LazyLock::new(|| {
         let mut variants = Vec::new();
         forms::placebos(&mut variants);
+        listings::placebos(&mut variants);
         variants
     });
     &PLACEBOS

@@ -156,6 +156,8 @@ columns! {
     build: String,
     /// Why the status is not `ok`.
     reason: String,
+    /// Calls that end with `code`.
+    calls: Option<u64>,
     /// Share of the calls that end with `code`.
     share: Option<f64>,
     /// Repeats of each test, where the thesis's loop is run.
@@ -178,6 +180,8 @@ columns! {
     ratio_second_half: Option<f64>,
     /// Ratio of the placebo to the reference: what this machine calls a difference.
     ratio_placebo: Option<f64>,
+    /// An empty loop's time over this one's, both per test.
+    empty_loop_share: Option<f64>,
     /// Hash of the workload, so that figures of different inputs are not compared.
     workload_hash: String,
 }

@@ -57,9 +57,9 @@ fn the_header_is_the_contracts() {
         instructions_per_test,mispredicts_per_test,bytes_per_triangle,ops_add,ops_sub,ops_neg,\
         ops_mul,ops_div,ops_condition,code,false_hits,false_misses,nan_outputs,err_t_mean_rel,\
         err_t_p999_ulp,err_t_max_ulp,err_u_max_abs,err_v_max_abs,seed";
-    let ours = ",id,stored,cull,tests_form,leading,query,winding,generator,build,reason,share,\
+    let ours = ",id,stored,cull,tests_form,leading,query,winding,generator,build,reason,calls,share,\
         repeats,seconds,percent_slower,priced,price,price_low,price_high,ratio_first_half,ratio_second_half,ratio_placebo,\
-        workload_hash\n";
+        empty_loop_share,workload_hash\n";
     let text = fs::read_to_string(folder.file("rows.csv")).unwrap();
     assert_eq!(text, format!("{contract}{ours}"));
     assert_eq!(contract.split(',').count(), REQUIRED);
