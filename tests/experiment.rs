@@ -119,7 +119,7 @@ fn codes_are_counted_and_add_up() {
             let of = |row: &&Row| row.kernel == kernel && row.order == order;
             let rows: Vec<&Row> = outcome.rows.iter().filter(of).collect();
             assert!(rows.len() >= 3, "{kernel} {order}: {} codes", rows.len());
-            assert_eq!(rows.iter().filter_map(|row| row.hits).sum::<u64>(), 20_000);
+            assert_eq!(rows.iter().filter_map(|row| row.calls).sum::<u64>(), 20_000);
             assert!(rows.iter().all(|row| row.status == "ok" && row.ns_per_test.is_some()));
         }
     }

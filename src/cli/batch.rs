@@ -1,5 +1,6 @@
 //! `ray_test run` and `ray_test reproduce`.
 
+use std::io::Write;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
@@ -44,14 +45,20 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
         .filter(|(_, available)| *available)
         .map(|(level, _)| level.to_owned())
         .collect();
-    let folder = Folder::create(batch.out.as_deref(), config_hash(&sources, batch), environment)?;
+    let hash = config_hash(&plans, &sources, batch, &environment);
+    let folder = Folder::new(batch.out.as_deref(), hash, environment);
+    let finished = plans.iter().map(|plan| {
+        if batch.resume { folder.finished(&plan.experiment.id) } else { Ok(None) }
+    });
+    let finished = finished.collect::<Result<Vec<_>, _>>()?;
+    folder.create()?;
     eprintln!(
         "{} experiments, about {} s; results in {}",
         plans.len(),
         plans.iter().map(|plan| estimate(plan, profile).total()).sum::<f64>().ceil(),
         folder.path().display()
     );
-    measure(&plans, batch, &folder)
+    measure(&plans, finished, batch, &folder)
 }
 
 fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
@@ -107,14 +114,17 @@ fn estimate(plan: &Plan, profile: Profile) -> Estimate {
 }
 
 fn dry_run(plans: &[Plan], profile: Profile) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
     let mut sum = Estimate { timing: 0.0, clock_free: 0.0, drawing: 0.0 };
-    println!(
+    writeln!(
+        out,
         "{:<14}{:>9}{:>7}{:>9}{:>12}{:>13}{:>12}",
         "experiment", "variants", "cells", "blocks", "timing s", "clock-free s", "drawing s"
-    );
+    )?;
     for plan in plans {
         let one = estimate(plan, profile);
-        println!(
+        writeln!(
+        out,
             "{:<14}{:>9}{:>7}{:>9}{:>12.1}{:>13.1}{:>12.1}",
             plan.experiment.id,
             plan.variants.len(),
@@ -123,32 +133,40 @@ fn dry_run(plans: &[Plan], profile: Profile) -> Result<(), Failure> {
             one.timing,
             one.clock_free,
             one.drawing
-        );
+        )?;
         sum.timing += one.timing;
         sum.clock_free += one.clock_free;
         sum.drawing += one.drawing;
     }
-    println!(
+    writeln!(
+        out,
         "{:<39}{:>12.1}{:>13.1}{:>12.1}  in all {:.0} s",
         "",
         sum.timing,
         sum.clock_free,
         sum.drawing,
         sum.total()
-    );
+    )?;
     Ok(())
 }
 
 /// Runs plan by plan; each is saved when it is done, and saved as unfinished when interrupted.
-fn measure(plans: &[Plan], batch: &Batch, folder: &Folder) -> Result<(), Failure> {
+/// `finished` has, of those that are, the variants that were wrong.
+fn measure(
+    plans: &[Plan],
+    finished: Vec<Option<Vec<String>>>,
+    batch: &Batch,
+    folder: &Folder,
+) -> Result<(), Failure> {
     let profile = batch.profile.value();
     let cancel = interrupt::flag();
     let bar = progress::bar(plans.iter().map(|plan| plan.blocks(profile)).sum());
     let (mut clock, mut disturbance) = (WallClock::new(), InvoluntarySwitches);
     let mut wrong: Vec<String> = Vec::new();
-    for plan in plans {
+    for (plan, finished) in plans.iter().zip(finished) {
         let id = plan.experiment.id.clone();
-        if batch.resume && folder.is_finished(&id)? {
+        if let Some(before) = finished {
+            wrong.extend(before.iter().map(|variant| format!("{id}: {variant}")));
             bar.inc(plan.blocks(profile) as u64);
             eprintln!("{id}: finished before");
             continue;
@@ -174,7 +192,7 @@ fn measure(plans: &[Plan], batch: &Batch, folder: &Folder) -> Result<(), Failure
         }
     }
     bar.finish_and_clear();
-    println!("{}", folder.path().display());
+    writeln!(std::io::stdout(), "{}", folder.path().display())?;
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Wrong(wrong)) }
 }
 
@@ -194,14 +212,18 @@ fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Du
     );
 }
 
-/// Files, profile and filter: what must be the same for a run to be gone on with.
-fn config_hash(sources: &[Source], batch: &Batch) -> u64 {
+/// What must be the same for a run to be gone on with: experiments, profile, filter, build, machine.
+fn config_hash(plans: &[Plan], sources: &[Source], batch: &Batch, here: &Environment) -> u64 {
     let mut hash = Fnv::default();
-    for (origin, text) in sources {
-        hash.bytes(origin.as_bytes());
+    for plan in plans {
+        hash.bytes(plan.experiment.id.as_bytes());
+    }
+    for (_, text) in sources {
         hash.bytes(text.as_bytes());
     }
     hash.bytes(format!("{:?}", batch.profile).as_bytes());
     hash.bytes(batch.filter.as_deref().unwrap_or("").as_bytes());
+    hash.bytes(format!("{:?}", here.build).as_bytes());
+    hash.bytes(here.testbed_id.as_bytes());
     hash.finish()
 }

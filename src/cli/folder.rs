@@ -43,21 +43,22 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// The folder, created, and known to be writable before anything runs.
-    ///
-    /// # Errors
-    /// Usage, if it cannot be created or written to.
-    pub fn create(
-        out: Option<&Path>,
-        config_hash: u64,
-        environment: Environment,
-    ) -> Result<Self, Failure> {
+    /// The folder; nothing is written yet.
+    pub fn new(out: Option<&Path>, config_hash: u64, environment: Environment) -> Self {
         let default = || {
             let time = now_rfc3339().replace([':', '-'], "");
             PathBuf::from("results").join(format!("{time}-{:08x}", config_hash as u32))
         };
         let path = out.map_or_else(default, Path::to_path_buf);
-        let folder = Folder { path, environment, config_hash };
+        Folder { path, environment, config_hash }
+    }
+
+    /// Creates it and finds out whether it can be written, before anything runs.
+    ///
+    /// # Errors
+    /// Usage, if it cannot be created or written to.
+    pub fn create(&self) -> Result<(), Failure> {
+        let folder = self;
         let refused = |error: &dyn std::fmt::Display| {
             Failure::Usage(format!(
                 "--out: {} cannot be written: {error}; allowed: a folder that can be created or \
@@ -69,8 +70,7 @@ impl Folder {
         let json = serde_json::to_vec_pretty(&folder.environment)
             .map_err(|error| Failure::Runtime(error.into()))?;
         write_atomically(&folder.path.join("environment.json"), &json)
-            .map_err(|error| refused(&error))?;
-        Ok(folder)
+            .map_err(|error| refused(&error))
     }
 
     /// Its path.
@@ -78,23 +78,32 @@ impl Folder {
         &self.path
     }
 
-    /// Whether an experiment was finished in this folder before.
+    /// If an experiment was finished in this folder before: the variants that were wrong in it.
     ///
     /// # Errors
-    /// Usage, if it was, with another configuration.
-    pub fn is_finished(&self, id: &str) -> Result<bool, Failure> {
+    /// Usage, if it was finished with another configuration, build or machine.
+    pub fn finished(&self, id: &str) -> Result<Option<Vec<String>>, Failure> {
         let file = self.path.join(id).join("rows.json");
-        let Ok(run) = read_json(&file) else { return Ok(false) };
+        let Ok(run) = read_json(&file) else { return Ok(None) };
         let hash = run.environment.get(CONFIG_HASH).and_then(Value::as_str).unwrap_or("");
         if hash != self.hash_text() {
             return Err(Failure::Usage(format!(
                 "--resume: {} was made with another {CONFIG_HASH} ({hash}, now {}); allowed: the \
-                 same experiments, --profile and --filter, or another --out",
+                 same experiments, --profile, --filter, build and machine, or another --out",
                 file.display(),
                 self.hash_text()
             )));
         }
-        Ok(run.environment.get(COMPLETE).and_then(Value::as_bool) == Some(true))
+        if run.environment.get(COMPLETE).and_then(Value::as_bool) != Some(true) {
+            return Ok(None);
+        }
+        let mut wrong: Vec<String> = Vec::new();
+        for row in run.rows.iter().filter(|row| row.status == "wrong-result") {
+            if !wrong.contains(&row.id) {
+                wrong.push(row.id.clone());
+            }
+        }
+        Ok(Some(wrong))
     }
 
     fn hash_text(&self) -> String {
@@ -109,7 +118,6 @@ impl Folder {
         let folder = self.path.join(&plan.experiment.id);
         std::fs::create_dir_all(&folder)?;
         write_csv(&folder.join("rows.csv"), &outcome.rows)?;
-        write_json(&folder.join("rows.json"), &self.run_file(plan, outcome)?)?;
         let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
         let mut figures = Vec::new();
         for figure in &plan.experiment.figure {
@@ -119,6 +127,8 @@ impl Folder {
             write_atomically(&file, svg.as_bytes())?;
             figures.push(file);
         }
+        // Last: it says that the experiment is complete.
+        write_json(&folder.join("rows.json"), &self.run_file(plan, outcome)?)?;
         Ok(figures)
     }
 

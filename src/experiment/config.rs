@@ -73,7 +73,7 @@ impl Experiment {
         if self.variants.is_empty() && self.workload.has_variants() {
             return Err("variants: at least one regular expression is needed".to_owned());
         }
-        self.workload.validate()?;
+        self.workload.validate(self.seed)?;
         let published = Published::embedded().map_err(|error| error.to_string())?;
         self.figure
             .iter()

@@ -168,7 +168,7 @@ impl Scene {
 }
 
 /// What the form of a variant reports.
-fn reported(variant: &Variant) -> Reported {
+pub fn reported(variant: &Variant) -> Reported {
     let axes = &variant.axes;
     Reported {
         unit_roundoff: if axes.precision == "f64" { 0.5f64.powi(53) } else { 0.5f64.powi(24) },

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use crate::measure::Order;
-use crate::workload::{self, Generator, QueryKind, Winding};
+use crate::workload::{self, Generator, NearestSpec, QueryKind, Winding};
 
 /// What variants are run on.
 #[derive(Clone, Debug, Deserialize)]
@@ -129,7 +129,12 @@ impl Workload {
     }
 
     /// Refuses what can be seen to be wrong before anything runs.
-    pub(super) fn validate(&self) -> Result<(), String> {
+    pub(super) fn validate(&self, seed: u64) -> Result<(), String> {
+        if let Workload::Pairs(PairsWorkload { generator, .. })
+        | Workload::Codes(CodesWorkload { generator, .. }) = self
+        {
+            generator.start(seed).map_err(|error| format!("seed: {error}"))?;
+        }
         match self {
             Workload::Pairs(pairs) => pairs.validate(),
             Workload::Nearest(nearest) => nearest.validate(),
@@ -195,9 +200,16 @@ impl NearestWorkload {
                         reshuffled (one ray's walk over all triangles is one item)"
                 .to_owned());
         }
-        in_range("triangles", self.triangles, 1)?;
-        in_range("rays", self.rays, 16)?;
-        in_range("reshuffled_rays", self.reshuffled_rays, 16)
+        for (key, rays) in [("rays", self.rays), ("reshuffled_rays", self.reshuffled_rays)] {
+            let spec = NearestSpec {
+                triangles: self.triangles,
+                rays,
+                kind: self.coherence,
+                seed: 0,
+            };
+            spec.validate().map_err(|error| format!("workload.{key}: {error}"))?;
+        }
+        Ok(())
     }
 }
 

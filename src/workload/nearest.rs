@@ -81,6 +81,16 @@ pub struct NearestSet {
     pub redrawn: u64,
 }
 
+impl NearestSpec {
+    /// Refuses what cannot be drawn.
+    ///
+    /// # Errors
+    /// What, and what is allowed.
+    pub fn validate(&self) -> Result<(), WorkloadError> {
+        validated(self)
+    }
+}
+
 impl NearestSet {
     /// Draws a set. A ray is drawn again (within its pixel, if it has one) when some triangle that
     /// rounding could make its nearest is not the nearest by more than rounding.
