@@ -47,7 +47,23 @@ has "wrong.toml" err
 expect 2 "a missing config" "$program" run missing.toml
 expect 2 "a folder that cannot be made" "$program" reproduce --out /proc/ray_test
 expect 2 "a filter that matches nothing" "$program" reproduce --filter nothing-is-called-this
-expect 2 "an experiment twice" "$program" reproduce --filter '('
+expect 2 "a filter that is none" "$program" reproduce --filter '('
+cat >twice.toml <<'EOF'
+id = "twice"
+title = "Twice?"
+question = "Is it refused?"
+why = "An id is the name of a folder."
+variants = ["^moller1/f32/single/.*/t$"]
+[workload]
+kind = "pairs"
+density = [0.5]
+orders = ["fixed"]
+EOF
+expect 2 "an experiment twice" "$program" run twice.toml twice.toml
+has "twice" err
+sed 's/"pairs"/"nearest"/; /density/d; s/orders/rays = 17\norders/' twice.toml >odd.toml
+expect 2 "rays that fill no packet" "$program" run odd.toml --dry-run
+has "17" err
 
 for what in kernels variants experiments claims levels; do
     expect 0 "list $what" "$program" list "$what" --format csv
@@ -63,6 +79,10 @@ expect 0 "go on where nothing is left" "$program" reproduce --out part --resume 
     --filter '^(moller[013]|wald)/f32/single'
 has "finished before" err
 expect 2 "go on with another filter" "$program" reproduce --out part --resume --filter '^wald/'
-"$program" list variants | head -n 1 >out || fail "a closed pipe"
+for pipe in "list variants" "reproduce --dry-run" "all 100 10"; do
+    # shellcheck disable=SC2086 # words of a command line
+    "$program" $pipe 2>err | head -n 1 >out || fail "a closed pipe: $pipe"
+    grep -q panicked err && fail "a panic on a closed pipe: $pipe"
+done
 
 printf '%s passed, 0 failed\n' "$passed"

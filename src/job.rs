@@ -54,8 +54,8 @@ impl Tally {
     }
 }
 
-/// One answer of a kernel, widened to f64. Outputs that the form does not report are NaN.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// One answer of a kernel, widened to f64. Outputs that the form does not report mean nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Answer {
     /// The triangle that was hit (the nearest one; the only one of a pair).
     pub triangle: Option<usize>,
@@ -65,6 +65,10 @@ pub struct Answer {
     pub u: f64,
     /// Weight of vertex c.
     pub v: f64,
+    /// The point that was hit.
+    pub point: [f64; 3],
+    /// The triangle's normal, of any length.
+    pub normal: [f64; 3],
     /// Return code: 0 is a hit, others name the test that failed (0 or 255 where codes are not kept).
     pub code: u8,
 }

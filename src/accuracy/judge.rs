@@ -1,5 +1,6 @@
 //! Whether a kernel's answers may be timed, and how far they are off.
 
+use super::surface;
 use super::truth::Truth;
 use crate::job::Answer;
 use crate::oracle::{Exact, Query, condition, excusable, output_error_limit};
@@ -14,6 +15,8 @@ pub struct Reported {
     pub t: bool,
     /// u and v are.
     pub uv: bool,
+    /// The point and the normal are.
+    pub surface: bool,
     /// Back faces are no hits.
     pub culls: bool,
 }
@@ -73,6 +76,12 @@ impl Judgement {
                 ));
             }
         }
+        if reported.surface
+            && let Some(reason) =
+                surface::wrong(answer, exact.query, exact.exact, limits[0], reported)
+        {
+            self.blame(format!("item {place}: {reason}"));
+        }
         self.hits += 1;
         if reported.t && t.is_finite() {
             self.t_sum += (t / exact.exact.t).abs();
@@ -108,6 +117,7 @@ fn binade(x: f64) -> f64 {
 
 /// An exact hit, as outputs are compared with it.
 struct Known<'a> {
+    query: &'a Query,
     exact: &'a Exact,
     condition: crate::oracle::Condition,
     t_scale: f64,
@@ -122,6 +132,7 @@ pub fn judge(answers: &[Answer], truths: &[Truth], reported: Reported) -> Judgem
         match (accepted, wanted) {
             (true, true) => {
                 let known = Known {
+                    query: &truth.query,
                     exact: &truth.exact,
                     condition: truth.condition,
                     t_scale: truth.t_scale,
@@ -160,7 +171,8 @@ pub fn judge_nearest(
             (None, None) => {}
             (Some(found), Some((wanted, exact))) if found == *wanted || !reported.t => {
                 let query = Query::of(ray, &triangles[*wanted]);
-                let known = Known { exact, condition: condition(&query, exact), t_scale: 1.0 };
+                let condition = condition(&query, exact);
+                let known = Known { query: &query, exact, condition, t_scale: 1.0 };
                 judgement.outputs(place, answer, &known, reported);
             }
             (found, wanted) => {

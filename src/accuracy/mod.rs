@@ -1,6 +1,7 @@
 //! Answers against the exact ones: what is wrong, what rounding excuses, how large errors are.
 
 mod judge;
+mod surface;
 #[cfg(test)]
 mod tests;
 mod truth;

@@ -6,7 +6,7 @@ use crate::oracle::output_error_limit;
 use crate::workload::{Kind, NearestSet, NearestSpec, PairSpec, Pairs};
 
 const F32: Reported =
-    Reported { unit_roundoff: 1.0 / 16_777_216.0, t: true, uv: true, culls: false };
+    Reported { unit_roundoff: 1.0 / 16_777_216.0, t: true, uv: true, surface: false, culls: false };
 
 fn truths() -> Vec<Truth> {
     let pairs = Pairs::draw(PairSpec::new(200, 0.5, 3)).expect("a plain specification");
@@ -17,7 +17,7 @@ fn exact_answers(truths: &[Truth]) -> Vec<Answer> {
     let answer = |(place, truth): (usize, &Truth)| {
         let exact = &truth.exact;
         let triangle = exact.class.is_hit().then_some(place);
-        Answer { triangle, t: exact.t, u: exact.u, v: exact.v, code: 0 }
+        Answer { triangle, t: exact.t, u: exact.u, v: exact.v, ..Answer::default() }
     };
     truths.iter().enumerate().map(answer).collect()
 }
@@ -80,6 +80,31 @@ fn an_output_that_is_no_number_is_wrong() {
 }
 
 #[test]
+fn a_point_or_normal_that_is_off_is_wrong() {
+    let truths = truths();
+    let surface = Reported { surface: true, ..F32 };
+    let of = |truth: &Truth| {
+        let [o, d] = [truth.query.origin, truth.query.direction].map(glam::DVec3::from_array);
+        let [a, b, c] = truth.query.triangle.map(glam::DVec3::from_array);
+        (o + d * truth.exact.t, (b - a).cross(c - a))
+    };
+    let mut answers = exact_answers(&truths);
+    for (answer, truth) in answers.iter_mut().zip(&truths) {
+        let (point, normal) = of(truth);
+        (answer.point, answer.normal) = (point.to_array(), (normal * 3.0).to_array());
+    }
+    assert_eq!(judge(&answers, &truths, surface).wrong, None);
+    let place = first(&truths, true);
+    let (point, normal) = of(&truths[place]);
+    for (point, normal) in [(point + 0.01, normal), (point, -normal), (point, normal * f64::NAN)] {
+        let mut answers = answers.clone();
+        (answers[place].point, answers[place].normal) = (point.to_array(), normal.to_array());
+        assert!(judge(&answers, &truths, surface).wrong.is_some());
+        assert_eq!(judge(&answers, &truths, F32).wrong, None);
+    }
+}
+
+#[test]
 fn culling_wants_only_front_faces() {
     let truths = truths();
     let culls = Reported { culls: true, ..F32 };
@@ -96,8 +121,10 @@ fn nearest_hits_are_told_apart_by_their_triangle() {
     let set = NearestSet::draw(spec).expect("a plain specification");
     let truth = NearestTruth::of(&set.rays, &set.triangles);
     let answer = |found: &Option<(usize, crate::oracle::Exact)>| match found {
-        Some((index, e)) => Answer { triangle: Some(*index), t: e.t, u: e.u, v: e.v, code: 0 },
-        None => Answer { triangle: None, t: 0.0, u: 0.0, v: 0.0, code: 0 },
+        Some((index, e)) => {
+            Answer { triangle: Some(*index), t: e.t, u: e.u, v: e.v, ..Answer::default() }
+        }
+        None => Answer::default(),
     };
     let mut answers: Vec<Answer> = truth.any.iter().map(answer).collect();
     let scene = (set.rays.as_slice(), set.triangles.as_slice());

@@ -89,6 +89,8 @@ impl<E: Element, T: Copy> Job for PairsJob<E, T> {
                 t: number(0),
                 u: number(1),
                 v: number(2),
+                point: [number(3), number(4), number(5)],
+                normal: [number(6), number(7), number(8)],
                 code: (self.code)(ray, record),
             });
         }
@@ -219,6 +221,8 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
                     t: number(1),
                     u: number(2),
                     v: number(3),
+                    point: [number(4), number(5), number(6)],
+                    normal: [number(7), number(8), number(9)],
                     code: 255,
                 });
             }

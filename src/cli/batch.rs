@@ -47,9 +47,9 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
         .collect();
     let hash = config_hash(&plans, &sources, batch, &environment);
     let folder = Folder::new(batch.out.as_deref(), hash, environment);
-    let finished = plans.iter().map(|plan| {
-        if batch.resume { folder.finished(&plan.experiment.id) } else { Ok(None) }
-    });
+    let finished = plans
+        .iter()
+        .map(|plan| if batch.resume { folder.finished(&plan.experiment.id) } else { Ok(None) });
     let finished = finished.collect::<Result<Vec<_>, _>>()?;
     folder.create()?;
     eprintln!(
@@ -124,7 +124,7 @@ fn dry_run(plans: &[Plan], profile: Profile) -> Result<(), Failure> {
     for plan in plans {
         let one = estimate(plan, profile);
         writeln!(
-        out,
+            out,
             "{:<14}{:>9}{:>7}{:>9}{:>12.1}{:>13.1}{:>12.1}",
             plan.experiment.id,
             plan.variants.len(),

@@ -1,5 +1,6 @@
 //! The thesis program: `ray_test [DENSITY] [TRIANGLES] [REPEATS]`.
 
+use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::ProgressBar;
@@ -9,8 +10,8 @@ use super::arguments::{Format, Thesis};
 use super::failure::Failure;
 use super::show::{Sheet, print};
 use super::{interrupt, progress};
-use crate::experiment::{PairsWorkload, Scene, put_percent_slower};
-use crate::job::{Block, Job};
+use crate::experiment::{BEYOND, PairsWorkload, Scene, beyond_prediction, put_percent_slower};
+use crate::job::{Block, Job, Tally};
 use crate::measure::{Clock, Order, WallClock};
 use crate::registry::{Variant, kernels, variants};
 use crate::table::Row;
@@ -21,6 +22,9 @@ const SWEEP: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// Tests in one timed slice, about: long against the clock, short against a pre-emption.
 const SLICE_TESTS: u64 = 20_000;
+
+/// Repeats of one pair in a slice at most, so that an interrupt is heard within a moment.
+const MOST_REPEATS: u64 = 1 << 20;
 
 /// Checks everything, then runs the thesis's test and prints its table.
 pub fn run(arguments: &Thesis) -> Result<(), Failure> {
@@ -35,23 +39,34 @@ pub fn run(arguments: &Thesis) -> Result<(), Failure> {
              be counted; allowed: a product below 2^64"
         )));
     }
-    let scenes = densities
-        .iter()
-        .map(|&density| scene(arguments, triangles, density))
-        .collect::<Result<Vec<_>, _>>()?;
-    let mut rows = Vec::new();
     let cancel = interrupt::flag();
-    let bar = progress::bar(densities.len() * usize::try_from(triangles).unwrap_or(usize::MAX));
-    for scene in &scenes {
-        rows.extend(measure(arguments, &chosen, scene, repeats, (&bar, cancel))?);
+    let count = usize::try_from(triangles).unwrap_or(usize::MAX);
+    let slices = Slices::new(arguments.order.value(), count, repeats);
+    let bar = progress::bar(densities.len().saturating_mul(slices.number()));
+    let mut rows = Vec::new();
+    for density in &densities {
+        let scene = scene(arguments, count, *density)?;
+        if rows.is_empty() {
+            warn_of_prediction(arguments.order.value(), &scene, chosen.len());
+        }
+        match measure(arguments, &chosen, &scene, slices, (&bar, cancel)) {
+            Err(Failure::Interrupted) => break,
+            measured => rows.extend(measured?),
+        }
     }
     bar.finish_and_clear();
     put_percent_slower(&mut rows);
     print(&sheet(&rows), arguments.format)?;
     if arguments.format == Format::Text && densities.len() > 1 {
-        slowest(&rows);
+        slowest(&rows)?;
     }
     if cancel.load(Ordering::Relaxed) { Err(Failure::Interrupted) } else { Ok(()) }
+}
+
+fn warn_of_prediction(order: Order, scene: &Scene, kernels: usize) {
+    if order == Order::Fixed && beyond_prediction(scene, kernels) {
+        eprintln!("warning: {kernels} kernels x {} pairs {BEYOND}", scene.rays.len());
+    }
 }
 
 /// One density, or the sweep: without a word when asked for, with a warning when the word is none.
@@ -127,8 +142,7 @@ fn line_form(id: &str, output: &str) -> Option<&'static Variant> {
     forms.first().copied()
 }
 
-fn scene(arguments: &Thesis, triangles: u64, density: f64) -> Result<Scene, Failure> {
-    let count = usize::try_from(triangles).unwrap_or(usize::MAX);
+fn scene(arguments: &Thesis, count: usize, density: f64) -> Result<Scene, Failure> {
     let workload = PairsWorkload {
         count,
         reshuffled_count: count,
@@ -143,108 +157,147 @@ fn scene(arguments: &Thesis, triangles: u64, density: f64) -> Result<Scene, Fail
         .map_err(|error| Failure::Usage(error.to_string()))
 }
 
+/// A kernel on a scene, checked: its answers are those that `expected` sums up.
+struct Contender {
+    job: Box<dyn Job>,
+    expected: Tally,
+    found: Tally,
+    nanoseconds: u64,
+}
+
 /// Checks the kernels on a scene, then times all of it, in slices that take turns, so that a
-/// disturbance does not fall on one kernel alone.
+/// disturbance does not fall on one kernel alone. What the timed slices found must be what was
+/// checked, as often.
 fn measure(
     arguments: &Thesis,
     chosen: &[(String, &'static Variant)],
     scene: &Scene,
-    repeats: u64,
+    slices: Slices,
     (bar, cancel): (&ProgressBar, &AtomicBool),
 ) -> Result<Vec<Row>, Failure> {
-    let order = arguments.order.value();
-    let mut jobs: Vec<Box<dyn Job>> = Vec::new();
-    let mut wrong = Vec::new();
-    for (_, variant) in chosen {
-        let Some(mut job) = scene.bind(variant) else { continue };
-        if let Some(reason) = scene.judge(variant, job.as_mut()).wrong {
-            wrong.push(format!("{}: {reason}", variant.id()));
-        }
-        jobs.push(job);
-    }
-    if !wrong.is_empty() {
-        return Err(Failure::Wrong(wrong));
-    }
+    let mut contenders = contenders(chosen, scene)?;
     let mut clock = WallClock::new();
-    let mut nanoseconds = vec![0u64; jobs.len()];
     let mut shuffler = Pcg::stream(arguments.seed, SHUFFLE);
-    for (turn, block) in slices(order, scene.rays.len(), repeats).enumerate() {
+    let number = contenders.len();
+    for (turn, block) in slices.enumerate() {
         if cancel.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted);
         }
-        for place in 0..jobs.len() {
-            let index = (turn + place) % jobs.len();
-            if order == Order::Reshuffled {
+        for place in 0..number {
+            let contender = &mut contenders[(turn + place) % number];
+            if slices.order == Order::Reshuffled {
                 let items = u32::try_from(scene.rays.len()).unwrap_or(u32::MAX);
-                jobs[index].permute(&shuffler.permutation(items));
+                contender.job.permute(&shuffler.permutation(items));
             }
             let start = clock.now_ns();
-            jobs[index].run(block);
-            nanoseconds[index] += clock.now_ns() - start;
+            let found = contender.job.run(block);
+            contender.nanoseconds += clock.now_ns() - start;
+            contender.found = contender.found.plus(found);
         }
-        if order == Order::Literal {
-            bar.inc(block.items as u64);
-        }
+        bar.inc(1);
     }
-    let hits = |job: &mut Box<dyn Job>| job.run(Block::whole(job.as_ref())).hits;
-    let timed = chosen.iter().zip(&mut jobs).zip(nanoseconds);
-    Ok(timed
-        .map(|(((word, variant), job), ns)| {
-            row(word, variant, scene, (order, repeats), ns, hits(job))
-        })
-        .collect())
+    let timed = chosen.iter().zip(&contenders);
+    if let Some(((word, _), _)) =
+        timed.clone().find(|(_, one)| one.found != one.expected.times(slices.repeats))
+    {
+        let reason = format!("{word}: the timed tests found something else than the checked ones");
+        return Err(Failure::Wrong(vec![reason]));
+    }
+    Ok(timed.map(|((word, variant), one)| row(word, variant, scene, slices, one)).collect())
+}
+
+fn contenders(
+    chosen: &[(String, &'static Variant)],
+    scene: &Scene,
+) -> Result<Vec<Contender>, Failure> {
+    let mut contenders = Vec::new();
+    let mut wrong = Vec::new();
+    for (word, variant) in chosen {
+        let Some(mut job) = scene.bind(variant) else {
+            return Err(Failure::Usage(format!("--kernels: '{word}' does not run on pairs")));
+        };
+        let judgement = scene.judge(variant, job.as_mut());
+        if let Some(reason) = judgement.wrong.filter(|_| variant.claims_exactness()) {
+            wrong.push(format!("{}: {reason}", variant.id()));
+        }
+        let expected = job.run(Block::whole(job.as_ref()));
+        contenders.push(Contender { job, expected, found: Tally::default(), nanoseconds: 0 });
+    }
+    if wrong.is_empty() { Ok(contenders) } else { Err(Failure::Wrong(wrong)) }
 }
 
 /// The stream of the generator that permutations come from.
 const SHUFFLE: u64 = 0x5448_4553_4953;
 
-/// All tests, cut into slices: windows of pairs in `literal` order, passes in the others.
-fn slices(order: Order, pairs: usize, repeats: u64) -> Box<dyn Iterator<Item = Block>> {
-    let repeats_of = |left: u64, most: u64| left.min(most.max(1)) as usize;
-    match order {
-        Order::Literal => {
-            let items = (SLICE_TESTS / repeats).clamp(1, pairs as u64) as usize;
-            // A pair's repeats stay in one slice as long as a call can count them.
-            Box::new((0..pairs).step_by(items).map(move |first| Block {
-                first,
-                items: items.min(pairs - first),
-                repeats: usize::try_from(repeats).unwrap_or(usize::MAX),
-                literal: true,
-            }))
-        }
-        Order::Fixed | Order::Reshuffled => {
-            let most = if order == Order::Fixed { SLICE_TESTS / pairs as u64 } else { 1 };
-            let mut left = repeats;
-            Box::new(std::iter::from_fn(move || {
-                (left > 0).then(|| {
-                    let passes = repeats_of(left, most);
-                    left -= passes as u64;
-                    Block { first: 0, items: pairs, repeats: passes, literal: false }
-                })
-            }))
-        }
+/// All tests, cut into slices: pairs, each many times in a row, in `literal` order; passes over the
+/// set in the others.
+#[derive(Clone, Copy)]
+struct Slices {
+    order: Order,
+    pairs: usize,
+    repeats: u64,
+    /// Pairs of a literal slice.
+    window: usize,
+    /// Repeats, or passes, of a slice.
+    most: u64,
+    first: usize,
+    done: u64,
+}
+
+impl Slices {
+    fn new(order: Order, pairs: usize, repeats: u64) -> Self {
+        let all = pairs.max(1) as u64;
+        let (window, most) = match order {
+            Order::Literal => ((SLICE_TESTS / repeats).clamp(1, all) as usize, MOST_REPEATS),
+            Order::Fixed => (pairs, (SLICE_TESTS / all).max(1)),
+            Order::Reshuffled => (pairs, 1),
+        };
+        Slices { order, pairs, repeats, window, most, first: 0, done: 0 }
+    }
+
+    /// How many slices there are.
+    fn number(&self) -> usize {
+        let turns = self.repeats.div_ceil(self.most);
+        let windows = self.pairs.div_ceil(self.window.max(1)) as u64;
+        usize::try_from(turns.saturating_mul(windows)).unwrap_or(usize::MAX)
     }
 }
 
-fn row(
-    word: &str,
-    variant: &Variant,
-    scene: &Scene,
-    (order, repeats): (Order, u64),
-    ns: u64,
-    hits: u64,
-) -> Row {
-    let tests = scene.rays.len() as f64 * repeats as f64;
+impl Iterator for Slices {
+    type Item = Block;
+
+    fn next(&mut self) -> Option<Block> {
+        if self.first >= self.pairs {
+            return None;
+        }
+        let repeats = (self.repeats - self.done).min(self.most);
+        let block = Block {
+            first: self.first,
+            items: self.window.min(self.pairs - self.first),
+            repeats: usize::try_from(repeats).unwrap_or(usize::MAX),
+            literal: self.order == Order::Literal,
+        };
+        self.done += repeats;
+        if self.done == self.repeats {
+            self.done = 0;
+            self.first += self.window;
+        }
+        Some(block)
+    }
+}
+
+fn row(word: &str, variant: &Variant, scene: &Scene, slices: Slices, timed: &Contender) -> Row {
+    let tests = scene.rays.len() as f64 * slices.repeats as f64;
     Row {
         id: variant.id(),
         kernel: word.into(),
-        order: order.word().into(),
+        order: slices.order.word().into(),
         density: scene.facts.density,
         triangles: Some(scene.triangles.len() as u64),
-        repeats: Some(repeats),
-        hits: Some(hits),
-        seconds: Some(ns as f64 * 1e-9),
-        ns_per_test: Some(ns as f64 / tests),
+        repeats: Some(slices.repeats),
+        hits: Some(timed.expected.hits),
+        seconds: Some(timed.nanoseconds as f64 * 1e-9),
+        ns_per_test: Some(timed.nanoseconds as f64 / tests),
         ..Row::default()
     }
 }
@@ -276,16 +329,19 @@ fn sheet(rows: &[Row]) -> Sheet {
 }
 
 /// The thesis's last column, a line per kernel.
-fn slowest(rows: &[Row]) {
+fn slowest(rows: &[Row]) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
     let mut said: Vec<&str> = Vec::new();
     for row in rows.iter().filter(|row| row.percent_slower.is_some()) {
         if !said.contains(&row.kernel.as_str()) {
             said.push(&row.kernel);
-            println!(
+            writeln!(
+                out,
                 "{:<20} {:>6.1} % slower than the fastest, over the sweep",
                 row.kernel,
                 row.percent_slower.unwrap_or_default()
-            );
+            )?;
         }
     }
+    Ok(())
 }

@@ -92,7 +92,10 @@ fn groups(
     let mut groups: Vec<Vec<(usize, Contestant)>> = Vec::new();
     let mut room = 0;
     for (place, contestant) in ready {
-        let begins = groups.last().and_then(|group| group.last()).is_none_or(|(other, _)| kernel(*other) != kernel(place));
+        let begins = groups
+            .last()
+            .and_then(|group| group.last())
+            .is_none_or(|(other, _)| kernel(*other) != kernel(place));
         let run = left.iter().take_while(|other| kernel(**other) == kernel(place)).count();
         if room == 0 || (begins && run > room && run <= MOST_SUBJECTS) {
             groups.push(Vec::new());

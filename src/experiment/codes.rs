@@ -7,8 +7,8 @@ use std::sync::atomic::Ordering;
 use super::cells::{Bench, Measured};
 use super::rows::{of_variant, put_figures};
 use super::scene::reported;
-use crate::accuracy::{Truth, judge};
 use super::workload::CodesWorkload;
+use crate::accuracy::{Truth, judge};
 use crate::measure::{
     Chain, Contestant, Order, Progress, Protocol, Role, Surroundings, measure_group,
 };

@@ -18,7 +18,7 @@ mod scene;
 mod select;
 mod workload;
 
-pub use cells::Bench;
+pub use cells::{BEYOND, Bench, beyond_prediction};
 pub use config::{ConfigError, Experiment};
 pub use plan::{Plan, Profile, SECONDS_PER_BLOCK};
 pub use rows::{of_variant, put_percent_slower};

@@ -112,7 +112,8 @@ pub fn put_percent_slower(rows: &mut [Row]) {
             continue;
         }
         let same = |other: &&Row| other.price.is_none() && key(other) == key(row);
-        let own: Vec<f64> = rows.iter().filter(same).filter_map(|other| other.ns_per_test).collect();
+        let own: Vec<f64> =
+            rows.iter().filter(same).filter_map(|other| other.ns_per_test).collect();
         if own.len() == densities(rows, &row.order) {
             means.push((key(row), own.iter().sum::<f64>() / own.len() as f64));
         }

@@ -174,6 +174,7 @@ pub fn reported(variant: &Variant) -> Reported {
         unit_roundoff: if axes.precision == "f64" { 0.5f64.powi(53) } else { 0.5f64.powi(24) },
         t: axes.output != "hit" && axes.query != "point",
         uv: matches!(axes.output, "tuv" | "surface"),
+        surface: axes.output == "surface",
         culls: axes.cull == "on",
     }
 }

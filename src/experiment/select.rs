@@ -35,6 +35,5 @@ pub fn select(patterns: &[String]) -> Result<Vec<&'static Variant>, String> {
 /// # Errors
 /// What is wrong with it.
 pub fn pattern_of(text: &str) -> Result<Regex, String> {
-    Regex::new(text)
-        .map_err(|error| format!("'{text}' is no regular expression: {error}"))
+    Regex::new(text).map_err(|error| format!("'{text}' is no regular expression: {error}"))
 }

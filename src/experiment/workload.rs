@@ -201,12 +201,8 @@ impl NearestWorkload {
                 .to_owned());
         }
         for (key, rays) in [("rays", self.rays), ("reshuffled_rays", self.reshuffled_rays)] {
-            let spec = NearestSpec {
-                triangles: self.triangles,
-                rays,
-                kind: self.coherence,
-                seed: 0,
-            };
+            let spec =
+                NearestSpec { triangles: self.triangles, rays, kind: self.coherence, seed: 0 };
             spec.validate().map_err(|error| format!("workload.{key}: {error}"))?;
         }
         Ok(())

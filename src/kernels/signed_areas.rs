@@ -3,6 +3,7 @@
 //! Formula: t = N . (a - o) / (N . d), P = o + t d; the weights of c, a, b are N . (AB x AP),
 //! N . (BC x BP), N . (CA x CP), over N . N; with a unit N they are twice the areas of the parts.
 //! Stored: the vertices and N: 12 numbers (48 bytes in f32). Operations of a hit: 41 x, 45 +-, 2 /.
+//! `first` is about t: the weights are divided by N . N behind the test, which needs their signs only.
 //! Known weakness: the same determinant as the perpendicular planes at twice their price; slivers
 //! lose u and v twice.
 

@@ -5,7 +5,7 @@
 //! det comes first and the division last. 2 divides before the branch, 3 also computes q there.
 //! Stored: 9 numbers (36 bytes in f32). Operations of a hit of variant 1, t only: 25 x, 9 +,
 //! 15 -, 1 unary minus, 1 /, 4 conditions.
-//! Known weakness: the epsilon loses millimetre triangles; NaN coordinates are hits.
+//! Known weakness: the epsilon loses millimetre triangles; a NaN of the origin is a hit, and in variant 0 every NaN is.
 
 use super::{Listing, Returned, Script, epsilon};
 use crate::kernels::{About, Corners};
