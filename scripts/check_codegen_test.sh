@@ -62,7 +62,9 @@ expect tables "$packet" "$wide" "$loop" 'jmp    rax'
 expect width "$packet" "$wide" 'vmulps ymm0,ymm1,ymm2' "$loop" ret
 expect width "$packet" "$wide" 'vmulps xmm0,xmm1,xmm2' "$loop" ret
 expect width "$packet" 'vmulss xmm0,xmm1,xmm2' "$loop" ret
-expect spills "$packet" "$wide" 'vmovups ZMMWORD PTR [rsp+0x40],zmm3' 'vmovups ZMMWORD PTR [rsp+0x80],zmm3' 'vmovups ZMMWORD PTR [rsp+0xc0],zmm3' "$loop" ret
+expect spills "$packet" "$wide" 'vmovups ZMMWORD PTR [rsp+0x40],zmm3' 'vmovups ZMMWORD PTR [rsp+0x80],zmm3' 'vmovups ZMMWORD PTR [rsp+0xc0],zmm3' \
+    'vmovups ZMMWORD PTR [rsp+0x100],zmm3' 'vmovups ZMMWORD PTR [rsp+0x140],zmm3' \
+    'vmovups ZMMWORD PTR [rsp+0x180],zmm3' "$loop" ret
 expect width "$single" "$good" 'vmulps ymm0,ymm1,ymm2' "$loop" ret
 expect divisions "$single" "$good" 'divps  xmm0,xmm1' "$loop" ret
 expect divisions "$single" "$good" 'divss  xmm0,xmm1' 'divss  xmm2,xmm3' "$loop" ret

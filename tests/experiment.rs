@@ -7,14 +7,14 @@ use ray_test::experiment::{Bench, Experiment, Outcome, Plan, run};
 use ray_test::measure::{ScriptedClock, Undisturbed};
 use ray_test::table::Row;
 
-/// Runs an experiment in 16 rounds; every reading of the clock is 1 us after the one before.
+/// Runs an experiment in 16 rounds; every reading of the clock is a block after the one before.
 fn rows(text: &str, cancelled: bool) -> Outcome {
     let experiment = Experiment::parse("test.toml", text).expect("the test's own text");
     let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
     let cancel = AtomicBool::new(cancelled);
     let mut bench = Bench {
         rounds: 16,
-        clock: &mut ScriptedClock::new(1_000),
+        clock: &mut ScriptedClock::new(60_000),
         disturbance: &mut Undisturbed,
         progress: &mut |_| {},
         cancel: &cancel,
