@@ -70,8 +70,11 @@ fn a_wrong_kernel_is_never_timed() {
     let outcome = rows(&pairs("'^chirkov/f32/single/sse2/early/last/plain/tuv$'", ""), false);
     // Judged on (origin, end) it is right about its own question; so ask a listing about segments.
     assert!(outcome.wrong.is_empty());
-    let segments = pairs("'^moller1/f32/single/sse2/early/last/plain/t$'", "")
-        .replace("count = 40\n", "query = 'segment'\ncount = 40\n");
+    let segments = pairs("'^moller1/f32/single/sse2/early/last/plain/t$'", "").replacen(
+        "count = 40\n",
+        "query = 'segment'\ncount = 40\n",
+        1,
+    );
     let outcome = rows(&segments, false);
     assert_eq!(outcome.wrong, ["moller1/f32/single/sse2/early/last/plain/t"]);
     for row in &outcome.rows {
