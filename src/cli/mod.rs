@@ -8,6 +8,7 @@ mod interrupt;
 mod list;
 mod progress;
 mod show;
+mod slices;
 mod thesis;
 
 use std::process::ExitCode;

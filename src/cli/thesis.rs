@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::arguments::{Format, Thesis};
 use super::failure::Failure;
 use super::show::{Sheet, print};
+use super::slices::Slices;
 use super::{interrupt, progress};
 use crate::experiment::{BEYOND, PairsWorkload, Scene, beyond_prediction, put_percent_slower};
 use crate::job::{Block, Job, Tally};
@@ -19,12 +20,6 @@ use crate::workload::{Pcg, QueryKind, Winding};
 
 /// Densities of the sweep.
 const SWEEP: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-
-/// Tests in one timed slice, about: long against the clock, short against a pre-emption.
-const SLICE_TESTS: u64 = 20_000;
-
-/// Repeats of one pair in a slice at most, so that an interrupt is heard within a moment.
-const MOST_REPEATS: u64 = 1 << 20;
 
 /// Checks everything, then runs the thesis's test and prints its table.
 pub fn run(arguments: &Thesis) -> Result<(), Failure> {
@@ -228,63 +223,6 @@ fn contenders(
 
 /// The stream of the generator that permutations come from.
 const SHUFFLE: u64 = 0x5448_4553_4953;
-
-/// All tests, cut into slices: pairs, each many times in a row, in `literal` order; passes over the
-/// set in the others.
-#[derive(Clone, Copy)]
-struct Slices {
-    order: Order,
-    pairs: usize,
-    repeats: u64,
-    /// Pairs of a literal slice.
-    window: usize,
-    /// Repeats, or passes, of a slice.
-    most: u64,
-    first: usize,
-    done: u64,
-}
-
-impl Slices {
-    fn new(order: Order, pairs: usize, repeats: u64) -> Self {
-        let all = pairs.max(1) as u64;
-        let (window, most) = match order {
-            Order::Literal => ((SLICE_TESTS / repeats).clamp(1, all) as usize, MOST_REPEATS),
-            Order::Fixed => (pairs, (SLICE_TESTS / all).max(1)),
-            Order::Reshuffled => (pairs, 1),
-        };
-        Slices { order, pairs, repeats, window, most, first: 0, done: 0 }
-    }
-
-    /// How many slices there are.
-    fn number(&self) -> usize {
-        let turns = self.repeats.div_ceil(self.most);
-        let windows = self.pairs.div_ceil(self.window.max(1)) as u64;
-        usize::try_from(turns.saturating_mul(windows)).unwrap_or(usize::MAX)
-    }
-}
-
-impl Iterator for Slices {
-    type Item = Block;
-
-    fn next(&mut self) -> Option<Block> {
-        if self.first >= self.pairs {
-            return None;
-        }
-        let repeats = (self.repeats - self.done).min(self.most);
-        let block = Block {
-            first: self.first,
-            items: self.window.min(self.pairs - self.first),
-            repeats: usize::try_from(repeats).unwrap_or(usize::MAX),
-            literal: self.order == Order::Literal,
-        };
-        self.done += repeats;
-        if self.done == self.repeats {
-            self.done = 0;
-            self.first += self.window;
-        }
-        Some(block)
-    }
-}
 
 fn row(word: &str, variant: &Variant, scene: &Scene, slices: Slices, timed: &Contender) -> Row {
     let tests = scene.rays.len() as f64 * slices.repeats as f64;
