@@ -133,7 +133,7 @@ const HEADERS: &[(&str, &str, &str, &str, [u64; 5])] = &[
     ("keidy", "normal", "last", "tuv", [18, 15, 0, 41, 2]),
     ("perpendicular-planes", "precomputed", "first", "tuv", [14, 1, 0, 15, 1]),
     ("perpendicular-planes", "precomputed", "last", "tuv", [14, 1, 0, 24, 1]),
-    ("chirkov", "precomputed", "last", "tuv", [9, 30, 2, 32, 2]),
+    ("chirkov", "precomputed", "last", "tuv", [9, 21, 2, 32, 2]),
     ("plucker", "vertices", "last", "tuv", [21, 33, 0, 58, 2]),
     ("half-spaces", "vertices", "last", "tuv", [12, 27, 0, 43, 2]),
     ("signed-areas", "normal", "first", "tuv", [15, 30, 0, 41, 2]),

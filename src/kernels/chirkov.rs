@@ -10,7 +10,7 @@
 //! `tests=products` is the published comparison of two products with >= and <; `compare` asks for
 //! all three signs and obeys the law on boundaries.
 //! Stored: the vertices, n, n . a and the axis: 14 words (56 bytes in f32; the paper's record has 64).
-//! Operations of a hit: 32 x, 39 +-, 2 unary minuses, 2 /.
+//! Operations of a hit: 32 x, 30 +-, 2 unary minuses, 2 /.
 //! Known weakness: f has degree 6 in the size of the triangle, so it leaves the range of f32 first.
 
 use super::shevtsov::pair;
