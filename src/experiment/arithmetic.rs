@@ -3,10 +3,7 @@
 use super::cells::Bench;
 use super::rows::put_figures;
 use crate::batch::OPERATIONS;
-use crate::measure::{
-    BuildInfo, Chain, Contestant, Order, Progress, Protocol, ProtocolError, Role, Surroundings,
-    measure_group,
-};
+use crate::measure::{BuildInfo, Chain, Contestant, Order, ProtocolError, Role};
 use crate::registry::units;
 use crate::table::Row;
 
@@ -46,19 +43,7 @@ pub fn run(experiment: &str, seed: u64, bench: &mut Bench<'_>) -> Result<Vec<Row
         rows.push(row);
     }
     contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
-    let protocol = Protocol { rounds: bench.rounds, ..Protocol::new(Order::Fixed, seed) };
-    let mut done = 0;
-    let mut tell = |progress: Progress| {
-        (bench.progress)(progress.done_blocks.saturating_sub(done));
-        done = progress.done_blocks;
-    };
-    let mut surroundings = Surroundings {
-        clock: bench.clock,
-        disturbance: bench.disturbance,
-        progress: &mut tell,
-        cancel: bench.cancel,
-    };
-    let report = measure_group(&mut contestants, &protocol, &mut surroundings)?;
+    let report = bench.measure(&mut contestants, Order::Fixed, seed)?;
     for (place, figures) in places.into_iter().zip(&report.figures) {
         put_figures(&mut rows[place], figures, "ok");
     }

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::rows::{blank, put_figures, put_judgement};
 use super::scene::Scene;
 use crate::measure::{
-    Chain, Clock, Contestant, Disturbance, EmptyLoop, Figures, Order, Progress, Protocol,
-    ProtocolError, Role, Surroundings, measure_group,
+    Chain, Clock, Contestant, Disturbance, EmptyLoop, Figures, GroupReport, Order, Progress,
+    Protocol, ProtocolError, Role, Surroundings, measure_group,
 };
 use crate::registry::{self, Variant};
 use crate::table::Row;
@@ -33,6 +33,33 @@ pub struct Bench<'a> {
     pub progress: &'a mut dyn FnMut(usize),
     /// Once true, nothing more is begun.
     pub cancel: &'a AtomicBool,
+}
+
+impl Bench<'_> {
+    /// Measures a group in this many rounds and tells the progress.
+    ///
+    /// # Errors
+    /// A group that cannot be measured.
+    pub fn measure(
+        &mut self,
+        contestants: &mut [Contestant],
+        order: Order,
+        seed: u64,
+    ) -> Result<GroupReport, ProtocolError> {
+        let protocol = Protocol { rounds: self.rounds, ..Protocol::new(order, seed) };
+        let mut done = 0;
+        let mut tell = |progress: Progress| {
+            (self.progress)(progress.done_blocks.saturating_sub(done));
+            done = progress.done_blocks;
+        };
+        let mut surroundings = Surroundings {
+            clock: self.clock,
+            disturbance: self.disturbance,
+            progress: &mut tell,
+            cancel: self.cancel,
+        };
+        measure_group(contestants, &protocol, &mut surroundings)
+    }
 }
 
 /// What came of a cell.
@@ -153,22 +180,7 @@ fn time(
     let (places, mut contestants): (Vec<usize>, Vec<Contestant>) = group.into_iter().unzip();
     add_controls(&mut contestants, reference, scene);
     let subjects = contestants.len();
-    let protocol = Protocol { rounds: bench.rounds, ..Protocol::new(order, scene.facts.seed) };
-    let mut done = 0;
-    let mut tell = |progress: Progress| {
-        (bench.progress)(progress.done_blocks.saturating_sub(done));
-        done = progress.done_blocks;
-    };
-    let report = measure_group(
-        &mut contestants,
-        &protocol,
-        &mut Surroundings {
-            clock: bench.clock,
-            disturbance: bench.disturbance,
-            progress: &mut tell,
-            cancel: bench.cancel,
-        },
-    )?;
+    let report = bench.measure(&mut contestants, order, scene.facts.seed)?;
     for (place, figures) in places.into_iter().zip(report.figures) {
         let row = &mut measured.rows[place];
         let ok = std::mem::take(&mut row.status);

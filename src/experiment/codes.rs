@@ -9,9 +9,7 @@ use super::rows::{of_variant, put_figures};
 use super::scene::reported;
 use super::workload::CodesWorkload;
 use crate::accuracy::{Truth, judge};
-use crate::measure::{
-    Chain, Contestant, Order, Progress, Protocol, Role, Surroundings, measure_group,
-};
+use crate::measure::{Chain, Contestant, Order, Role};
 use crate::oracle::{Query, classify};
 use crate::registry::Variant;
 use crate::table::Row;
@@ -210,19 +208,7 @@ fn time(
         return Ok(());
     }
     contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
-    let protocol = Protocol { rounds: bench.rounds, ..Protocol::new(order, seed) };
-    let mut done = 0;
-    let mut tell = |progress: Progress| {
-        (bench.progress)(progress.done_blocks.saturating_sub(done));
-        done = progress.done_blocks;
-    };
-    let mut surroundings = Surroundings {
-        clock: bench.clock,
-        disturbance: bench.disturbance,
-        progress: &mut tell,
-        cancel: bench.cancel,
-    };
-    let report = measure_group(&mut contestants, &protocol, &mut surroundings)?;
+    let report = bench.measure(&mut contestants, order, seed)?;
     for (place, figures) in places.into_iter().zip(&report.figures) {
         put_figures(&mut rows[place], figures, "ok");
     }
