@@ -184,6 +184,62 @@ columns! {
     empty_loop_share: Option<f64>,
     /// Hash of the workload, so that figures of different inputs are not compared.
     workload_hash: String,
+    /// Against the reference: `faster`, `slower`, `same`, `unresolved` or `invalid`; the
+    /// reference itself has none.
+    verdict: String,
+    /// Probability of such a ratio if there were no difference beyond the margin: sign test,
+    /// corrected for the family of the group (Holm).
+    p_value: Option<f64>,
+    /// Smallest relative difference that the group could tell from chance and code placement.
+    noise_floor: Option<f64>,
+    /// Where `unresolved`: about how many more rounds would decide.
+    more_rounds: Option<u64>,
+    /// Where `cycles_per_test` comes from: `counter` or `chain`.
+    cycles_source: String,
+    /// Lower end of the interval of `cycles_per_test`.
+    cycles_low: Option<f64>,
+    /// Upper end of it.
+    cycles_high: Option<f64>,
+    /// `cycles_per_test` of the first half of the rounds alone.
+    cycles_first_half: Option<f64>,
+    /// `cycles_per_test` of the second half of the rounds alone.
+    cycles_second_half: Option<f64>,
+    /// Order `fixed`: time among the others of the group over time alone. Above 1 where the set
+    /// is more than the branch predictor remembers.
+    solo_ratio: Option<f64>,
+    /// Single rays: median time from one answer to the next where each test waits for the answer
+    /// before it.
+    latency_ns_per_test: Option<f64>,
+    /// Lower end of its interval.
+    latency_ns_low: Option<f64>,
+    /// Upper end of its interval.
+    latency_ns_high: Option<f64>,
+    /// The same in processor cycles.
+    latency_cycles_per_test: Option<f64>,
+    /// Latency over the reference's, paired.
+    latency_ratio_to_reference: Option<f64>,
+    /// Lower end of its interval.
+    latency_ratio_low: Option<f64>,
+    /// Upper end of its interval.
+    latency_ratio_high: Option<f64>,
+    /// Latency of a call that tests nothing.
+    latency_floor_ns: Option<f64>,
+    /// Single rays: median time of one call with its code and its branches forgotten.
+    cold_ns_per_test: Option<f64>,
+    /// Lower end of its interval.
+    cold_ns_low: Option<f64>,
+    /// Upper end of its interval.
+    cold_ns_high: Option<f64>,
+    /// Cold time over the reference's, paired.
+    cold_ratio_to_reference: Option<f64>,
+    /// Lower end of its interval.
+    cold_ratio_low: Option<f64>,
+    /// Upper end of its interval.
+    cold_ratio_high: Option<f64>,
+    /// Cold time of a call that tests nothing: clock and call by themselves.
+    cold_floor_ns: Option<f64>,
+    /// Hash of the bits of all outputs of one pass.
+    outputs_hash: String,
 }
 
 impl Serialize for Row {
