@@ -3,6 +3,8 @@
 //! Above this trait nothing is generic; below it nothing is dynamic. One call runs 10^3 tests or
 //! more, so the indirect call costs nothing that a clock can see.
 
+use std::hint::black_box;
+
 /// Which part of a job's items one call of [`Job::run`] does, and how often.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Block {
@@ -81,6 +83,28 @@ pub trait Job {
     fn tests_per_item(&self) -> u64;
     /// Does the block. This, and nothing else, is inside the timed window.
     fn run(&mut self, block: Block) -> Tally;
+    /// Does the block with one call an item, each waiting for the answer to the one before it:
+    /// where the next item lies is computed from that answer.
+    fn run_dependent(&mut self, block: Block) -> Tally {
+        // Neither the compiler nor the processor knows that this is zero.
+        let nothing = black_box(0usize);
+        let (passes, in_a_row) =
+            if block.literal { (1, block.repeats) } else { (block.repeats, 1) };
+        let (mut tally, mut waits) = (Tally::default(), 0);
+        for _ in 0..passes {
+            for item in block.first..block.first + block.items {
+                for _ in 0..in_a_row {
+                    let first = item + waits;
+                    let found = self.run(Block { first, items: 1, repeats: 1, literal: false });
+                    waits = (found.hits ^ found.bits[0]) as usize & nothing;
+                    tally = tally.plus(found);
+                }
+            }
+        }
+        tally
+    }
+    /// Brings the data of the block near, without a test.
+    fn touch(&mut self, _block: Block) {}
     /// Lays the items out in a new order: item `i` becomes what item `permutation[i]` of the
     /// original order was. Outside the timed window; nothing is run over the new order.
     fn permute(&mut self, permutation: &[u32]);

@@ -4,7 +4,7 @@
 use std::sync::atomic::AtomicBool;
 
 use ray_test::experiment::{Bench, Experiment, Outcome, Plan, run};
-use ray_test::measure::{ScriptedClock, Undisturbed};
+use ray_test::measure::{NoCounters, Remember, ScriptedClock, Undisturbed};
 use ray_test::table::Row;
 
 /// Runs an experiment in 16 rounds; every reading of the clock is a block after the one before.
@@ -16,6 +16,8 @@ fn rows(text: &str, cancelled: bool) -> Outcome {
         rounds: 16,
         clock: &mut ScriptedClock::new(60_000),
         disturbance: &mut Undisturbed,
+        counters: &mut NoCounters,
+        forget: &mut Remember,
         progress: &mut |_| {},
         cancel: &cancel,
     };

@@ -1,5 +1,7 @@
 //! The prepared data behind a [`Job`], generic over kernel and element only.
 
+use std::hint::black_box;
+
 use super::nearest::{ANSWER_NUMBERS, RAY_NUMBERS, Scene};
 use super::pairs::Walk;
 use crate::job::{Answer, Block, Job, Tally};
@@ -75,6 +77,12 @@ impl<E: Element, T: Copy> Job for PairsJob<E, T> {
     fn permute(&mut self, permutation: &[u32]) {
         for (place, &from) in self.laid_out.iter_mut().zip(permutation) {
             *place = self.original[from as usize];
+        }
+    }
+
+    fn touch(&mut self, block: Block) {
+        for pair in &self.laid_out[block.first..][..block.items] {
+            black_box(*pair);
         }
     }
 
@@ -205,6 +213,16 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
         let ray = RAY_NUMBERS * self.lanes;
         for (place, &from) in self.laid_out.chunks_exact_mut(ray).zip(permutation) {
             place.copy_from_slice(&self.original[from as usize * ray..][..ray]);
+        }
+    }
+
+    fn touch(&mut self, block: Block) {
+        let ray = RAY_NUMBERS * self.lanes;
+        for number in &self.laid_out[block.first * ray..][..block.items * ray] {
+            black_box(*number);
+        }
+        for record in &self.records {
+            black_box(*record);
         }
     }
 

@@ -9,10 +9,11 @@ use super::failure::Failure;
 use super::folder::{Folder, Source, built_in_sources};
 use super::{interrupt, progress};
 use crate::experiment::{
-    Bench, Experiment, Plan, Profile, SECONDS_PER_BLOCK, Workload, pattern_of, run as run_plan,
+    Bench, Distraction, Experiment, Plan, Profile, SECONDS_PER_BLOCK, Workload, pattern_of,
+    run as run_plan,
 };
 use crate::level::levels;
-use crate::measure::{Environment, InvoluntarySwitches, WallClock};
+use crate::measure::{Environment, InvoluntarySwitches, NoCounters, WallClock};
 use crate::workload::hash::Fnv;
 
 /// Experiments from files.
@@ -162,6 +163,7 @@ fn measure(
     let cancel = interrupt::flag();
     let bar = progress::bar(plans.iter().map(|plan| plan.blocks(profile)).sum());
     let (mut clock, mut disturbance) = (WallClock::new(), InvoluntarySwitches);
+    let (mut counters, mut forget) = (NoCounters, Distraction::new());
     let mut wrong: Vec<String> = Vec::new();
     for (plan, finished) in plans.iter().zip(finished) {
         let id = plan.experiment.id.clone();
@@ -179,6 +181,8 @@ fn measure(
                 rounds: profile.rounds(),
                 clock: &mut clock,
                 disturbance: &mut disturbance,
+                counters: &mut counters,
+                forget: &mut forget,
                 progress: &mut |blocks| bar.inc(blocks as u64),
                 cancel,
             },

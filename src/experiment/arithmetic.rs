@@ -1,7 +1,7 @@
 //! Multiplications and additions alone: how much wider registers can gain at most.
 
 use super::cells::Bench;
-use super::rows::put_figures;
+use super::rows::put_group;
 use crate::batch::OPERATIONS;
 use crate::measure::{BuildInfo, Chain, Contestant, Order, ProtocolError, Role};
 use crate::registry::units;
@@ -45,7 +45,7 @@ pub fn run(experiment: &str, seed: u64, bench: &mut Bench<'_>) -> Result<Vec<Row
     contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
     let report = bench.measure(&mut contestants, Order::Fixed, seed)?;
     for (place, figures) in places.into_iter().zip(&report.figures) {
-        put_figures(&mut rows[place], figures, "ok");
+        put_group(&mut rows[place], figures, &report, "ok");
     }
     Ok(rows)
 }

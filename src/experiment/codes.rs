@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 
 use super::cells::{Bench, Measured};
-use super::rows::{of_variant, put_figures};
+use super::rows::{of_variant, put_group};
 use super::scene::reported;
 use super::workload::CodesWorkload;
 use crate::accuracy::{Truth, judge};
@@ -210,7 +210,7 @@ fn time(
     contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
     let report = bench.measure(&mut contestants, order, seed)?;
     for (place, figures) in places.into_iter().zip(&report.figures) {
-        put_figures(&mut rows[place], figures, "ok");
+        put_group(&mut rows[place], figures, &report, "ok");
     }
     Ok(())
 }

@@ -5,10 +5,13 @@
 //! ```
 
 mod arithmetic;
+mod calls;
 pub mod cells;
 mod codes;
 mod config;
 mod counts;
+mod distraction;
+mod limits;
 mod plan;
 mod points;
 mod prices;
@@ -20,6 +23,7 @@ mod workload;
 
 pub use cells::{BEYOND, Bench, beyond_prediction};
 pub use config::{ConfigError, Experiment};
+pub use distraction::Distraction;
 pub use plan::{Plan, Profile, SECONDS_PER_BLOCK};
 pub use rows::{of_variant, put_percent_slower};
 pub use run::{Outcome, RunError, run};

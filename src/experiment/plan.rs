@@ -1,5 +1,6 @@
 //! What an experiment will do, and how long it will take, before it does it.
 
+use super::calls::CALL_CONTROLS;
 use super::cells::{CONTROLS, MOST_SUBJECTS};
 use super::config::{ConfigError, Experiment};
 use super::select::select;
@@ -88,22 +89,29 @@ impl Plan {
 
     /// Blocks that will be timed on this machine, redrawn rounds excluded.
     pub fn blocks(&self, profile: Profile) -> usize {
-        let ready = self.variants.iter().filter(|variant| (variant.available)()).count();
-        let group = |subjects: usize| {
-            let contestants = subjects + CONTROLS;
+        let rounds = |contestants: usize| {
             let protocol = Protocol { rounds: profile.rounds(), ..Protocol::new(Order::Fixed, 0) };
             protocol.planned_rounds(contestants) * contestants
         };
+        let ready = self.variants.iter().filter(|variant| (variant.available)());
+        let singles = ready.clone().filter(|variant| variant.lanes == 1).count();
+        let ready = ready.count();
         if let Workload::Codes(codes) = &self.experiment.workload {
             // Up to six exits and the chain.
-            return ready * codes.orders.len() * group(3);
+            return ready * codes.orders.len() * rounds(3 + CONTROLS);
         }
         if matches!(self.experiment.workload, Workload::Arithmetic) {
-            return group(units().len());
+            return rounds(units().len() + CONTROLS);
         }
-        let full = ready / MOST_SUBJECTS * group(MOST_SUBJECTS);
-        let rest = ready % MOST_SUBJECTS;
-        let of_cell = full + if rest > 0 { group(rest) } else { 0 };
+        let in_groups = |subjects: usize, controls: usize| {
+            let rest = match subjects % MOST_SUBJECTS {
+                0 => 0,
+                rest => rounds(rest + controls),
+            };
+            subjects / MOST_SUBJECTS * rounds(MOST_SUBJECTS + controls) + rest
+        };
+        // Single rays are measured three times: in a loop, cold, and each after the other.
+        let of_cell = in_groups(ready, CONTROLS) + 2 * in_groups(singles, CALL_CONTROLS);
         self.cells().len() * of_cell
     }
 }

@@ -2,9 +2,12 @@
 
 use super::scene::Scene;
 use crate::accuracy::Judgement;
-use crate::measure::{BuildInfo, Figures, Invalid, Order, Status};
+use crate::job::{Block, Job};
+use crate::measure::{BuildInfo, Figures, GroupReport, Invalid, Order, Status};
 use crate::registry::Variant;
+use crate::stats::Verdict;
 use crate::table::Row;
+use crate::workload::hash::Fnv;
 
 /// The columns that a variant, a scene and an order have before anything is measured.
 pub fn blank(experiment: &str, variant: &Variant, scene: &Scene, order: Order) -> Row {
@@ -64,8 +67,18 @@ pub fn put_judgement(row: &mut Row, judgement: &Judgement, hits: u64) {
     row.err_v_max_abs = judgement.v_max;
 }
 
-/// Puts in what was measured; `ok` is the status of figures that stand.
-pub fn put_figures(row: &mut Row, figures: &Figures, ok: &str) {
+/// Hash of what one pass over a job finds: equal bits, equal hash.
+pub fn outputs_hash(job: &mut dyn Job) -> String {
+    let tally = job.run(Block::whole(job));
+    let mut hash = Fnv::default();
+    for sum in std::iter::once(tally.hits).chain(tally.bits) {
+        hash.bytes(&sum.to_le_bytes());
+    }
+    format!("{:016x}", hash.finish())
+}
+
+/// Puts in what was measured of a contestant in a group; `ok` is the status of figures that stand.
+pub fn put_group(row: &mut Row, figures: &Figures, report: &GroupReport, ok: &str) {
     row.rounds = Some(figures.rounds as u64);
     row.dirty_rounds = Some(figures.dirty_rounds as u64);
     match &figures.status {
@@ -73,16 +86,38 @@ pub fn put_figures(row: &mut Row, figures: &Figures, ok: &str) {
         Status::Invalid(reason) => {
             let interrupted = matches!(reason, Invalid::NoRound);
             row.status = if interrupted { "not-measured" } else { "invalid" }.into();
+            row.verdict = if interrupted { "" } else { "invalid" }.into();
             row.reason = reason.to_string();
             return;
         }
     }
+    put_times(row, figures);
+    put_comparison(row, figures);
+    row.noise_floor = figures.ratio_to_reference.map(|_| report.noise_floor);
+    row.ratio_placebo = report.placebo_floor.map(f64::exp);
+    row.empty_loop_share = figures.empty_loop_ratio;
+}
+
+fn put_times(row: &mut Row, figures: &Figures) {
     row.ns_per_test = figures.ns_per_test;
     row.ns_low = figures.ns_low;
     row.ns_high = figures.ns_high;
     row.min_ns = figures.min_ns;
     row.mtests_per_s = figures.ns_per_test.map(|ns| 1e3 / ns);
     row.cycles_per_test = figures.cycles_per_test;
+    row.cycles_low = figures.cycles_interval.map(|interval| interval.low);
+    row.cycles_high = figures.cycles_interval.map(|interval| interval.high);
+    row.cycles_first_half = figures.cycles_first_half;
+    row.cycles_second_half = figures.cycles_second_half;
+    if figures.cycles_per_test.is_some() {
+        row.cycles_source = figures.cycles_source.word().into();
+    }
+    row.instructions_per_test = figures.instructions_per_test;
+    row.mispredicts_per_test = figures.mispredicts_per_test;
+    row.solo_ratio = figures.solo_ratio;
+}
+
+fn put_comparison(row: &mut Row, figures: &Figures) {
     if let Some(ratio) = &figures.ratio_to_reference {
         row.ratio_to_reference = Some(ratio.estimate);
         row.ratio_low = Some(ratio.low);
@@ -90,6 +125,13 @@ pub fn put_figures(row: &mut Row, figures: &Figures, ok: &str) {
     }
     row.ratio_first_half = figures.ratio_first_half.as_ref().map(|ratio| ratio.estimate);
     row.ratio_second_half = figures.ratio_second_half.as_ref().map(|ratio| ratio.estimate);
+    if let Some(decision) = &figures.decision {
+        row.verdict = decision.verdict.word().into();
+        row.p_value = Some(decision.p_value);
+        if let Verdict::Unresolved { more_rounds } = decision.verdict {
+            row.more_rounds = more_rounds;
+        }
+    }
 }
 
 /// The thesis's column: how much slower the mean of a kernel's row over the densities is than the

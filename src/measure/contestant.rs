@@ -44,12 +44,22 @@ pub struct Contestant {
     pub job: Box<dyn Job>,
     /// What it must find.
     pub expected: Expected,
+    /// Tests that one walk through its inner loop does at once: the lanes of a packet, else 1.
+    pub lanes: usize,
+    /// Cycles that a test cannot take less than, by its count of operations; 0 if nobody counted.
+    pub least_cycles: f64,
 }
 
 impl Contestant {
     /// A contestant that must find what its items find one by one.
     pub fn new(id: impl Into<String>, role: Role, job: Box<dyn Job>) -> Self {
-        Contestant { id: id.into(), role, job, expected: Expected::Items }
+        let (id, expected) = (id.into(), Expected::Items);
+        Contestant { id, role, job, expected, lanes: 1, least_cycles: 0.0 }
+    }
+
+    /// The same, with what a time of it is held against: see the fields.
+    pub fn with_limits(self, lanes: usize, least_cycles: f64) -> Self {
+        Contestant { lanes, least_cycles, ..self }
     }
 
     /// The same, and `hits` hits over all of its items.

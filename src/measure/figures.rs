@@ -1,12 +1,10 @@
 //! What a group of contestants took.
 
-use super::chain::CYCLES_PER_STEP;
 use super::contestant::Role;
-use super::runner::Runner;
-use crate::stats::{Ratio, median, paired_ratio, sign_interval};
+use crate::stats::{Decision, Interval, Ratio};
 
 /// Why a contestant has no figures.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Invalid {
     /// Its items, one by one, do not find what the checked answers say.
     #[error("its items found {found} hits, the checked answers have {expected}")]
@@ -25,18 +23,54 @@ pub enum Invalid {
     /// A block took no time: it was optimised away, or the clock is too coarse.
     #[error("a block took no time")]
     NoTime,
+    /// Twice the work did not take twice the time: the repeats were folded into one.
+    #[error("twice the work took {times:.2} times the time, not twice: work was left out")]
+    NoMoreForMore {
+        /// How many times longer the whole took than its half.
+        times: f64,
+    },
+    /// It takes no longer than a loop without a test in it.
+    #[error("it takes no longer than an empty loop: the test was optimised away")]
+    LikeNothing,
+    /// It takes less than its own operations need on any core.
+    #[error("{cycles:.2} cycles are less than its operations take on any core, {least:.2}")]
+    TooFast {
+        /// Cycles of a test, as measured.
+        cycles: f64,
+        /// Cycles that its operations need at least.
+        least: f64,
+    },
     /// It was not measured: cancelled early, or every round was disturbed.
     #[error("no undisturbed round was measured")]
     NoRound,
 }
 
 /// Whether the figures stand.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Status {
     /// They do.
     Ok,
     /// There are none.
     Invalid(Invalid),
+}
+
+/// Where cycles come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CyclesSource {
+    /// The processor's own counter.
+    Counter,
+    /// The time over that of the chain in the same round.
+    Chain,
+}
+
+impl CyclesSource {
+    /// The word in the column `cycles_source`.
+    pub fn word(self) -> &'static str {
+        match self {
+            CyclesSource::Counter => "counter",
+            CyclesSource::Chain => "chain",
+        }
+    }
 }
 
 /// What one contestant took. Figures that are withheld or need what the group does not have
@@ -61,14 +95,31 @@ pub struct Figures {
     pub ns_high: Option<f64>,
     /// Smallest of the rounds, ns.
     pub min_ns: Option<f64>,
-    /// Cycles by the chain: median of the ratio to it in the same round.
+    /// Processor cycles of a test: median over the rounds.
     pub cycles_per_test: Option<f64>,
+    /// The median's exact 95 % interval.
+    pub cycles_interval: Option<Interval>,
+    /// The median over the first half of the rounds alone.
+    pub cycles_first_half: Option<f64>,
+    /// And over the second half.
+    pub cycles_second_half: Option<f64>,
+    /// Where cycles come from.
+    pub cycles_source: CyclesSource,
+    /// Instructions of a test, where they are counted.
+    pub instructions_per_test: Option<f64>,
+    /// Mispredicted branches of a test, where they are counted.
+    pub mispredicts_per_test: Option<f64>,
     /// Time over that of the reference in the same round (> 1 is slower).
     pub ratio_to_reference: Option<Ratio>,
     /// The same over the first half of the rounds alone; from 12 rounds on.
     pub ratio_first_half: Option<Ratio>,
     /// And over the second half.
     pub ratio_second_half: Option<Ratio>,
+    /// What may be said of the ratio; the reference, the chain and the empty loop have none.
+    pub decision: Option<Decision>,
+    /// Order `fixed`: median block among the others over the median alone, both in terms of the
+    /// chain. Above 1 where the set is more than the branch predictor remembers.
+    pub solo_ratio: Option<f64>,
     /// Share of its time that an empty loop takes: median over the rounds.
     pub empty_loop_ratio: Option<f64>,
     /// Tests of its first block.
@@ -88,6 +139,8 @@ pub struct GroupReport {
     pub figures: Vec<Figures>,
     /// Largest |ln ratio| of a placebo to the reference: what identical code differs by.
     pub placebo_floor: Option<f64>,
+    /// Smallest relative difference that can be told from chance and code placement.
+    pub noise_floor: f64,
     /// Rounds that were planned.
     pub planned_rounds: usize,
     /// Clean rounds.
@@ -98,75 +151,4 @@ pub struct GroupReport {
     pub planned_ns: u64,
     /// Whether it was ended before its time.
     pub cancelled: bool,
-}
-
-/// The samples that all figures of a group are relative to; empty where there are none.
-struct Controls {
-    reference: Vec<f64>,
-    chain: Vec<f64>,
-    empty: Vec<f64>,
-}
-
-/// The figures of all contestants, in their order.
-pub(super) fn figures(runners: &[Runner<'_>], rounds: usize, dirty_rounds: usize) -> Vec<Figures> {
-    let of = |role| {
-        let runner = runners.iter().find(|r| r.contestant.role == role);
-        runner.map_or_else(Vec::new, |r| r.samples.clone())
-    };
-    let controls =
-        Controls { reference: of(Role::Reference), chain: of(Role::Chain), empty: of(Role::Empty) };
-    let one = |r| Figures { rounds, dirty_rounds, ..contestant_figures(r, &controls) };
-    runners.iter().map(one).collect()
-}
-
-fn contestant_figures(runner: &Runner<'_>, controls: &Controls) -> Figures {
-    let samples = runner.samples.clone();
-    let role = runner.contestant.role;
-    let status = match &runner.invalid {
-        Some(reason) => Status::Invalid(reason.clone()),
-        None if samples.is_empty() => Status::Invalid(Invalid::NoRound),
-        None => Status::Ok,
-    };
-    let interval = sign_interval(&samples);
-    // Steps of the chain are no tests: in terms of the reference they say nothing.
-    let reference = if role == Role::Chain { &[][..] } else { &controls.reference[..] };
-    let half = samples.len() / 2;
-    let part =
-        |from: usize, to: usize| paired_ratio(samples.get(from..to)?, reference.get(from..to)?);
-    Figures {
-        id: runner.contestant.id.clone(),
-        role,
-        status,
-        rounds: 0,
-        dirty_rounds: 0,
-        ns_per_test: median(&samples),
-        ns_low: interval.map(|i| i.low),
-        ns_high: interval.map(|i| i.high),
-        min_ns: samples.iter().copied().reduce(f64::min),
-        cycles_per_test: median_quotient(&samples, &controls.chain).map(|q| q * CYCLES_PER_STEP),
-        ratio_to_reference: part(0, samples.len()),
-        ratio_first_half: part(0, half),
-        ratio_second_half: part(half, samples.len()),
-        empty_loop_ratio: median_quotient(&controls.empty, &samples),
-        tests_per_block: runner.tests(0),
-        repeats: runner.plan.repeats,
-        windows: runner.plan.windows,
-        samples,
-    }
-}
-
-/// Median of `above[i] / below[i]`; unlike a [`Ratio`] it needs one round only.
-fn median_quotient(above: &[f64], below: &[f64]) -> Option<f64> {
-    if above.len() != below.len() {
-        return None;
-    }
-    let quotients: Vec<f64> = above.iter().zip(below).map(|(a, b)| a / b).collect();
-    median(&quotients)
-}
-
-/// Largest |ln ratio| among the placebos.
-pub(super) fn placebo_floor(figures: &[Figures]) -> Option<f64> {
-    let placebos = figures.iter().filter(|f| f.role == Role::Placebo);
-    let logs = placebos.filter_map(|f| f.ratio_to_reference).map(|r| r.estimate.ln().abs());
-    logs.reduce(f64::max)
 }

@@ -2,15 +2,19 @@
 
 use super::clock::Clock;
 use super::contestant::{self, Contestant, Role};
+use super::counters::Counters;
 use super::disturbance::Disturbance;
-use super::figures::{GroupReport, figures, placebo_floor};
+use super::figures::GroupReport;
+use super::forget::Forget;
 use super::latin::LatinOrder;
-use super::plan::{align, plan, shared_windows};
-use super::protocol::{Protocol, ProtocolError};
-use super::runner::Runner;
+use super::plan::{align, cold_plan, plan, shared_windows};
+use super::protocol::{Order, Protocol, ProtocolError};
+use super::report::report;
+use super::runner::{Instruments, Runner};
+use super::steadiness::Steadiness;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering as Atomic};
 
 /// How far a group is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +31,10 @@ pub struct Surroundings<'a> {
     pub clock: &'a mut dyn Clock,
     /// Tells whether a round was disturbed.
     pub disturbance: &'a mut dyn Disturbance,
+    /// Counts cycles, instructions and mispredictions where the system lets it.
+    pub counters: &'a mut dyn Counters,
+    /// Makes the processor forget; run before cold blocks only.
+    pub forget: &'a mut dyn Forget,
     /// Called between blocks, never inside a timed window.
     pub progress: &'a mut dyn FnMut(Progress),
     /// Once true, the present round is the last.
@@ -35,13 +43,23 @@ pub struct Surroundings<'a> {
 
 impl Surroundings<'_> {
     fn cancelled(&self) -> bool {
-        self.cancel.load(Ordering::Relaxed)
+        self.cancel.load(Atomic::Relaxed)
+    }
+
+    fn instruments<'b>(&'b mut self, rng: &'b mut Pcg64Mcg) -> Instruments<'b> {
+        Instruments {
+            clock: &mut *self.clock,
+            counters: &mut *self.counters,
+            forget: &mut *self.forget,
+            rng,
+        }
     }
 }
 
 /// Measures a group: calibrates each contestant once, then runs rounds of one timed block each.
-/// A contestant whose blocks do not find what its items find one by one is reported as invalid,
-/// without figures; that is no error. Jobs are left in their original order.
+/// A contestant whose blocks do not find what its items find one by one, or that a guard finds to
+/// take less time than its work can, is reported as invalid, without figures; that is no error.
+/// Jobs are left in their original order.
 ///
 /// # Errors
 /// A protocol or a group that cannot be measured; nothing was run then.
@@ -53,42 +71,46 @@ pub fn measure_group(
     protocol.validate()?;
     contestant::validate(contestants)?;
     let mut rng = Pcg64Mcg::seed_from_u64(protocol.seed);
-    let number = contestants.len();
     let mut runners: Vec<Runner<'_>> = contestants.iter_mut().map(Runner::new).collect();
     prepare(&mut runners, protocol, surroundings, &mut rng);
     let rounds = run_rounds(&mut runners, protocol, surroundings, &mut rng);
     runners.iter_mut().for_each(Runner::restore);
-    let figures = figures(&runners, rounds.clean, rounds.dirty);
-    Ok(GroupReport {
-        placebo_floor: placebo_floor(&figures),
-        figures,
-        planned_rounds: protocol.planned_rounds(number),
-        rounds: rounds.clean,
-        dirty_rounds: rounds.dirty,
-        planned_ns: protocol.planned_ns(number),
-        cancelled: rounds.cancelled,
-    })
+    Ok(report(&mut runners, protocol, rounds))
 }
 
-/// Cuts the items into blocks, once and for all.
+/// Cuts the items into blocks, once and for all, and looks whether twice the work takes twice the
+/// time.
 fn prepare(
     runners: &mut [Runner<'_>],
     protocol: &Protocol,
     surroundings: &mut Surroundings<'_>,
     rng: &mut Pcg64Mcg,
 ) {
+    if protocol.cold {
+        runners.iter_mut().for_each(|r| r.plan = cold_plan(r.contestant.job.items()));
+        return;
+    }
     let clock = &mut *surroundings.clock;
     let valid = runners.iter_mut().filter(|r| r.invalid.is_none());
     let mut contestants: Vec<&mut Contestant> = valid.map(|r| &mut *r.contestant).collect();
     let windows = shared_windows(&mut contestants, protocol, clock);
     for runner in runners.iter_mut().filter(|r| r.invalid.is_none()) {
         // Without a plan no round is run: the flag is looked at again before the first one.
-        if surroundings.cancel.load(Ordering::Relaxed) {
+        if surroundings.cancel.load(Atomic::Relaxed) {
             return;
         }
         runner.plan = plan(runner.contestant, protocol, windows, clock, rng);
     }
     align_with_reference(runners);
+    for runner in runners.iter_mut().filter(|r| r.invalid.is_none()) {
+        if surroundings.cancel.load(Atomic::Relaxed) {
+            return;
+        }
+        runner.check_doubling(&mut surroundings.instruments(rng));
+        if protocol.order == Order::Fixed && runner.invalid.is_none() {
+            runner.run_solo(surroundings.clock);
+        }
+    }
 }
 
 fn align_with_reference(runners: &mut [Runner<'_>]) {
@@ -103,10 +125,19 @@ fn align_with_reference(runners: &mut [Runner<'_>]) {
 }
 
 /// How many rounds there were.
-struct Rounds {
-    clean: usize,
-    dirty: usize,
-    cancelled: bool,
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Rounds {
+    pub clean: usize,
+    pub dirty: usize,
+    pub cancelled: bool,
+}
+
+/// How a round ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Ended {
+    Clean,
+    Dirty,
+    Cancelled,
 }
 
 /// Runs the planned rounds; dirty ones again, same positions and windows, while spares last, and
@@ -122,22 +153,27 @@ fn run_rounds(
     let mut spare = protocol.spare_rounds(number);
     // A stream of its own: how many permutations were drawn does not change the positions.
     let mut latin = LatinOrder::new(number, !protocol.seed);
-    let mut rounds = Rounds { clean: 0, dirty: 0, cancelled: false };
+    let mut rounds = Rounds::default();
     let mut progress = Progress { done_blocks: 0, total_blocks: planned * number };
+    let mut steadiness = Steadiness::default();
     for window in 0..planned {
         let positions = latin.next_round();
         loop {
-            if surroundings.cancelled() {
-                rounds.cancelled = true;
-                return rounds;
+            let at = (&positions[..], window, protocol.cold);
+            let mut ended = run_round(runners, at, surroundings, &mut progress, rng);
+            // A cold chain is one step: no measure of anything.
+            if ended == Ended::Clean && !protocol.cold && !steadiness.keeps_step(runners) {
+                ended = Ended::Dirty;
             }
-            let clean = run_round(runners, &positions, window, surroundings, &mut progress, rng);
-            runners.iter_mut().for_each(|r| r.end_round(clean));
-            if clean {
-                rounds.clean += 1;
-                break;
+            runners.iter_mut().for_each(|r| r.end_round(ended == Ended::Clean));
+            match ended {
+                Ended::Cancelled => return Rounds { cancelled: true, ..rounds },
+                Ended::Clean => {
+                    rounds.clean += 1;
+                    break;
+                }
+                Ended::Dirty => rounds.dirty += 1,
             }
-            rounds.dirty += 1;
             if rounds.dirty == protocol.most_dirty_rounds(number) {
                 return rounds;
             }
@@ -151,20 +187,27 @@ fn run_rounds(
     rounds
 }
 
-/// One round; whether it was clean. A disturbance spoils it for everybody, so that none gains.
+/// One round. A disturbance spoils it for everybody, so that none gains.
 fn run_round(
     runners: &mut [Runner<'_>],
-    positions: &[usize],
-    window: usize,
+    (positions, window, cold): (&[usize], usize, bool),
     surroundings: &mut Surroundings<'_>,
     progress: &mut Progress,
     rng: &mut Pcg64Mcg,
-) -> bool {
+) -> Ended {
     let before = surroundings.disturbance.count();
     for &position in positions {
-        runners[position].block(window, surroundings.clock, rng);
+        if surroundings.cancelled() {
+            return Ended::Cancelled;
+        }
+        let instruments = &mut surroundings.instruments(rng);
+        if cold {
+            runners[position].cold_block(window, instruments);
+        } else {
+            runners[position].block(window, instruments);
+        }
         progress.done_blocks += 1;
         (surroundings.progress)(*progress);
     }
-    surroundings.disturbance.count() == before
+    if surroundings.disturbance.count() == before { Ended::Clean } else { Ended::Dirty }
 }

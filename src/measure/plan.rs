@@ -122,6 +122,11 @@ pub(super) fn plan(
     plan
 }
 
+/// The plan of a cold contestant: one item a block, the next round's block the next item.
+pub(super) fn cold_plan(items: usize) -> Plan {
+    Plan { order: Order::Fixed, windows: items, repeats: 1, prefix: items }
+}
+
 /// All items, unless a pass takes more than 2.5 blocks: then as many as a block has time for.
 /// Each trial pass has a permutation of its own, for a second pass over one is 2 to 4 times
 /// faster than the first.

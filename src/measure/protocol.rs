@@ -33,7 +33,7 @@ impl fmt::Display for Order {
 }
 
 /// How a group of contestants is measured.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Protocol {
     /// Length of a timed block, ns. Long against the timer's 20-30 ns, short against the time
     /// between two pre-emptions: 16-136 us measured well, 0.5 ms and more badly.
@@ -47,10 +47,15 @@ pub struct Protocol {
     pub order: Order,
     /// Seed of the positions and permutations.
     pub seed: u64,
+    /// `true`: a block is one item, run once, after everything that could remember it was made to
+    /// forget; the same item for all contestants of a round. `block_ns` and `order` mean nothing.
+    pub cold: bool,
+    /// Relative difference that is none, > 0, whatever the noise allows to see.
+    pub margin: f64,
 }
 
 /// Why a group cannot be measured.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ProtocolError {
     /// Fewer rounds than an interval needs.
     #[error("rounds: {0} are too few, {least} or more are needed", least = Protocol::LEAST_ROUNDS)]
@@ -58,6 +63,9 @@ pub enum ProtocolError {
     /// A block outside of what was found to measure well, generously.
     #[error("block_ns: {0} is not within 1000 to 100000000")]
     BlockLength(u64),
+    /// A margin that is none.
+    #[error("margin: {0} is not allowed; allowed: above 0, at most 1")]
+    Margin(f64),
     /// An empty group.
     #[error("there is no contestant to measure")]
     Nobody,
@@ -83,9 +91,17 @@ impl Protocol {
     /// With fewer rounds the interval is that of the extremes, or none (below 6).
     pub const LEAST_ROUNDS: usize = 8;
 
-    /// Blocks of 60 us, 64 rounds.
+    /// Blocks of 60 us, 64 rounds, warm; a difference below 1 % is none.
     pub fn new(order: Order, seed: u64) -> Self {
-        Protocol { block_ns: 60_000, rounds: 64, exact_rounds: false, order, seed }
+        Protocol {
+            block_ns: 60_000,
+            rounds: 64,
+            exact_rounds: false,
+            order,
+            seed,
+            cold: false,
+            margin: 0.01,
+        }
     }
 
     /// Refuses what cannot be measured.
@@ -95,6 +111,9 @@ impl Protocol {
         }
         if !(1_000..=100_000_000).contains(&self.block_ns) {
             return Err(ProtocolError::BlockLength(self.block_ns));
+        }
+        if !(self.margin > 0.0 && self.margin <= 1.0) {
+            return Err(ProtocolError::Margin(self.margin));
         }
         Ok(())
     }
@@ -147,7 +166,9 @@ mod tests {
         assert_eq!(good.validate(), Ok(()));
         let few = Protocol { rounds: 7, ..good.clone() };
         assert_eq!(few.validate(), Err(ProtocolError::FewRounds(7)));
-        let short = Protocol { block_ns: 999, ..good };
+        let short = Protocol { block_ns: 999, ..good.clone() };
         assert_eq!(short.validate(), Err(ProtocolError::BlockLength(999)));
+        let none = Protocol { margin: 0.0, ..good };
+        assert_eq!(none.validate(), Err(ProtocolError::Margin(0.0)));
     }
 }

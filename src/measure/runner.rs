@@ -3,22 +3,56 @@
 use super::calibrate::{timed, warm_up};
 use super::clock::Clock;
 use super::contestant::{Contestant, Expected};
+use super::counters::{Counters, Counts};
 use super::expectation::Expectation;
 use super::figures::Invalid;
+use super::forget::Forget;
+use super::guard;
 use super::plan::Plan;
 use super::protocol::Order;
 use super::shuffle::permutation;
+use crate::stats::median;
 use rand_pcg::Pcg64Mcg;
+
+/// What a block needs of the outside world.
+pub(super) struct Instruments<'a> {
+    pub clock: &'a mut dyn Clock,
+    pub counters: &'a mut dyn Counters,
+    pub forget: &'a mut dyn Forget,
+    /// For new orders.
+    pub rng: &'a mut Pcg64Mcg,
+}
+
+/// One block of one contestant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sample {
+    /// Time of the whole block.
+    pub ns: u64,
+    /// Tests in it.
+    pub tests: u64,
+    /// Which window of the items it was.
+    pub window: usize,
+    /// What the processor counted over the block, where it does.
+    pub counts: Option<Counts>,
+}
+
+impl Sample {
+    pub fn ns_per_test(&self) -> f64 {
+        self.ns as f64 / self.tests as f64
+    }
+}
 
 /// A contestant with its plan and what it has taken so far.
 pub(super) struct Runner<'a> {
     pub contestant: &'a mut Contestant,
     expectation: Expectation,
     pub plan: Plan,
-    /// ns per test, one a clean round.
-    pub samples: Vec<f64>,
+    /// One a clean round.
+    pub samples: Vec<Sample>,
     /// The sample of the present round, not yet known to be clean.
-    pending: Option<f64>,
+    pub pending: Option<Sample>,
+    /// Median block when nobody else ran in between, ns; order `fixed` only.
+    pub solo_ns: Option<f64>,
     pub invalid: Option<Invalid>,
 }
 
@@ -33,12 +67,19 @@ impl<'a> Runner<'a> {
             }
             _ => None,
         };
-        let plan = Plan { order: Order::Fixed, windows: 1, repeats: 1, prefix: 0 };
-        Runner { contestant, expectation, plan, samples: Vec::new(), pending: None, invalid }
+        Runner {
+            contestant,
+            expectation,
+            plan: Plan { order: Order::Fixed, windows: 1, repeats: 1, prefix: 0 },
+            samples: Vec::new(),
+            pending: None,
+            solo_ns: None,
+            invalid,
+        }
     }
 
     /// Lays out, times and checks one block. A contestant that has failed only stands in line.
-    pub fn block(&mut self, window: usize, clock: &mut dyn Clock, rng: &mut Pcg64Mcg) {
+    pub fn block(&mut self, window: usize, instruments: &mut Instruments<'_>) {
         if self.invalid.is_some() {
             return;
         }
@@ -49,19 +90,68 @@ impl<'a> Runner<'a> {
             Order::Literal => {}
             Order::Fixed => warm_up(job, block),
             Order::Reshuffled => {
-                let new_order = permutation(rng, job.items());
+                let new_order = permutation(instruments.rng, job.items());
                 job.permute(&new_order);
                 order = Some(new_order);
             }
         }
-        let (ns, tally) = timed(job, block, clock);
-        if tally != self.expectation.block(block, order.as_deref()) {
+        instruments.counters.start();
+        let (ns, tally) = timed(job, block, instruments.clock);
+        let counts = instruments.counters.stop();
+        if tally == self.expectation.block(block, order.as_deref()) {
+            self.take(ns, window, counts);
+        } else {
             self.fail(Invalid::Tally { round: self.samples.len() });
-        } else if ns == 0 {
+        }
+    }
+
+    /// Times and checks one item whose code and branches were forgotten; its data are near.
+    pub fn cold_block(&mut self, window: usize, instruments: &mut Instruments<'_>) {
+        if self.invalid.is_some() {
+            return;
+        }
+        let job = self.contestant.job.as_mut();
+        let block = self.plan.block(job.items(), window);
+        instruments.forget.forget(&self.contestant.id);
+        job.touch(block);
+        // So that the clock's own code is not cold as well.
+        instruments.clock.now_ns();
+        instruments.clock.now_ns();
+        let (ns, tally) = timed(job, block, instruments.clock);
+        if tally == self.expectation.block(block, None) {
+            self.take(ns, window, None);
+        } else {
+            self.fail(Invalid::Tally { round: self.samples.len() });
+        }
+    }
+
+    fn take(&mut self, ns: u64, window: usize, counts: Option<Counts>) {
+        if ns == 0 {
             self.fail(Invalid::NoTime);
         } else {
-            self.pending = Some(ns as f64 / self.tests(window) as f64);
+            let tests = self.tests(window);
+            let window = window % self.plan.windows;
+            self.pending = Some(Sample { ns, tests, window, counts });
         }
+    }
+
+    /// Whether twice the work takes about twice the time; if not, it fails.
+    pub fn check_doubling(&mut self, instruments: &mut Instruments<'_>) {
+        let job = self.contestant.job.as_mut();
+        if let Some(times) = guard::doubling(job, &self.plan, instruments.clock, instruments.rng) {
+            self.fail(Invalid::NoMoreForMore { times });
+        }
+    }
+
+    /// Takes the median of a few blocks in a row, with nobody in between.
+    pub fn run_solo(&mut self, clock: &mut dyn Clock) {
+        let job = self.contestant.job.as_mut();
+        let block = self.plan.block(job.items(), 0);
+        let mut solo = || {
+            warm_up(job, block);
+            timed(job, block, clock).0 as f64
+        };
+        self.solo_ns = median(&[solo(), solo(), solo(), solo(), solo()]).filter(|ns| *ns > 0.0);
     }
 
     /// Keeps the sample of the present round, or drops it.
@@ -87,7 +177,7 @@ impl<'a> Runner<'a> {
     }
 
     /// What was measured of a contestant that turned out wrong is withheld.
-    fn fail(&mut self, reason: Invalid) {
+    pub fn fail(&mut self, reason: Invalid) {
         self.invalid = Some(reason);
         self.samples.clear();
         self.pending = None;

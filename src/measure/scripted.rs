@@ -20,6 +20,10 @@ pub struct Script {
     pub clock: ScriptedClock,
     /// Every cost is multiplied by this: the machine's drift.
     pub slowness: Rc<Cell<u64>>,
+    /// Who ran last, by the number in [`ScriptedJob::number`], and how often in a row.
+    last: Rc<Cell<(usize, usize)>>,
+    /// Jobs made so far.
+    jobs: Rc<Cell<usize>>,
     /// (runs to go, ns): that run takes so much longer, once.
     pub hiccup: Rc<Cell<Option<(u64, u64)>>>,
 }
@@ -27,7 +31,13 @@ pub struct Script {
 impl Default for Script {
     fn default() -> Self {
         let clock = ScriptedClock::new(0);
-        Script { clock, slowness: Rc::new(Cell::new(1)), hiccup: Rc::default() }
+        Script {
+            clock,
+            slowness: Rc::new(Cell::new(1)),
+            last: Rc::default(),
+            jobs: Rc::default(),
+            hiccup: Rc::default(),
+        }
     }
 }
 
@@ -35,6 +45,11 @@ impl Default for Script {
 pub struct ScriptedJob {
     script: Script,
     cost_ns: u64,
+    /// What each call takes besides, however much it does.
+    pub once_ns: u64,
+    /// Whether it takes twice the time unless it ran twice before with nobody in between.
+    pub forgetful: bool,
+    number: usize,
     order: Vec<u32>,
     tests_per_item: u64,
     /// Timed runs from this one on (counted from 0) find a hit too many.
@@ -48,6 +63,9 @@ impl ScriptedJob {
         ScriptedJob {
             script: script.clone(),
             cost_ns,
+            once_ns: 0,
+            forgetful: false,
+            number: script.jobs.replace(script.jobs.get() + 1) + 1,
             order: (0..items as u32).collect(),
             tests_per_item: 1,
             wrong_from: None,
@@ -80,8 +98,14 @@ impl Job for ScriptedJob {
         let script = &self.script;
         let timed = script.clock.readings().get() % 2 == 1;
         self.calls.borrow_mut().push(Call::Run { block, timed });
-        let mut cost =
-            self.cost_ns * script.slowness.get() * block.items as u64 * block.repeats as u64;
+        let items = block.items as u64 * block.repeats as u64;
+        let mut cost = script.slowness.get() * (self.once_ns + self.cost_ns * items);
+        let (last, streak) = script.last.get();
+        let streak = if last == self.number { streak } else { 0 };
+        script.last.set((self.number, streak + 1));
+        if self.forgetful && streak < 2 {
+            cost *= 2;
+        }
         match script.hiccup.get() {
             Some((0, more)) => {
                 cost += more;

@@ -6,8 +6,10 @@ mod holm;
 mod median;
 mod ratio;
 mod sign;
+mod verdict;
 
 pub use holm::holm;
 pub use median::median;
-pub use ratio::{Ratio, paired_ratio};
+pub use ratio::{Ratio, log_ratios, paired_ratio};
 pub use sign::{CONFIDENCE, Interval, binomial_half, sign_interval, sign_test};
+pub use verdict::{Decision, LEVEL, Verdict, decide};

@@ -30,9 +30,20 @@ impl Ratio {
     }
 }
 
-/// `above[i] / below[i]` over all i. `None` when the slices differ in length, hold fewer than 6
-/// pairs, or hold a number that is not finite and positive (a block cannot take no time).
+/// `above[i] / below[i]` over all i. `None` as [`log_ratios`], and below 6 pairs.
 pub fn paired_ratio(above: &[f64], below: &[f64]) -> Option<Ratio> {
+    let logs = log_ratios(above, below)?;
+    let interval = sign_interval(&logs)?;
+    Some(Ratio {
+        estimate: median(&logs)?.exp(),
+        low: interval.low.exp(),
+        high: interval.high.exp(),
+    })
+}
+
+/// ln(`above[i] / below[i]`) for all i. `None` when the slices differ in length or hold a number
+/// that is not finite and positive (a block cannot take no time).
+pub fn log_ratios(above: &[f64], below: &[f64]) -> Option<Vec<f64>> {
     if above.len() != below.len() {
         return None;
     }
@@ -41,13 +52,7 @@ pub fn paired_ratio(above: &[f64], below: &[f64]) -> Option<Ratio> {
         return None;
     }
     // A difference of logarithms changes sign exactly when the sides are swapped.
-    let logs: Vec<f64> = above.iter().zip(below).map(|(a, b)| a.ln() - b.ln()).collect();
-    let interval = sign_interval(&logs)?;
-    Some(Ratio {
-        estimate: median(&logs)?.exp(),
-        low: interval.low.exp(),
-        high: interval.high.exp(),
-    })
+    Some(above.iter().zip(below).map(|(a, b)| a.ln() - b.ln()).collect())
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 mod orders;
 mod rounds;
+mod verdicts;
 
 use super::scripted::{Call, Script, ScriptedJob};
 use super::*;
@@ -55,7 +56,8 @@ fn measure_with(
     cancel: &AtomicBool,
 ) -> GroupReport {
     let clock = &mut script.clock.clone();
-    let mut surroundings = Surroundings { clock, disturbance, progress, cancel };
+    let (counters, forget) = (&mut NoCounters, &mut Remember);
+    let mut surroundings = Surroundings { clock, disturbance, counters, forget, progress, cancel };
     measure_group(contestants, protocol, &mut surroundings).expect("a group that can be measured")
 }
 
