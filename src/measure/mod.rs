@@ -6,6 +6,7 @@
 //! All contestants run once a round, in positions drawn by a Latin square, in blocks too short
 //! for a pre-emption to fall into many of them. Comparisons are between blocks of one round.
 
+mod affinity;
 mod build_info;
 mod calibrate;
 mod chain;
@@ -23,6 +24,7 @@ mod group;
 mod group_tests;
 mod latin;
 mod machine;
+mod pin;
 mod plan;
 mod protocol;
 mod runner;
@@ -43,4 +45,5 @@ pub use figures::{Figures, GroupReport, Invalid, Status};
 pub use group::{Progress, Surroundings, measure_group};
 pub use latin::LatinOrder;
 pub use machine::{Cache, Machine};
+pub use pin::{Pin, Pinned, pin};
 pub use protocol::{Order, Protocol, ProtocolError};
