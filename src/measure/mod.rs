@@ -22,6 +22,7 @@ mod figures;
 mod group;
 #[cfg(test)]
 mod group_tests;
+mod interference;
 mod latin;
 mod machine;
 mod pin;
@@ -43,6 +44,7 @@ pub use empty::EmptyLoop;
 pub use environment::Environment;
 pub use figures::{Figures, GroupReport, Invalid, Status};
 pub use group::{Progress, Surroundings, measure_group};
+pub use interference::Interference;
 pub use latin::LatinOrder;
 pub use machine::{Cache, Machine};
 pub use pin::{Pin, Pinned, pin};
