@@ -14,7 +14,7 @@ impl Disturbance for InvoluntarySwitches {
     fn count(&mut self) -> Option<u64> {
         // Elsewhere than on Linux there is no such file, and no round is ever called dirty.
         let status = std::fs::read_to_string("/proc/thread-self/status").ok()?;
-        involuntary_switches(&status)
+        switches(&status, INVOLUNTARY)
     }
 }
 
@@ -28,9 +28,15 @@ impl Disturbance for Undisturbed {
     }
 }
 
-fn involuntary_switches(status: &str) -> Option<u64> {
-    let line = status.lines().find_map(|l| l.strip_prefix("nonvoluntary_ctxt_switches:"))?;
-    line.trim().parse().ok()
+/// Start of the line of a thread's status that counts how often it had to make room.
+pub(super) const INVOLUNTARY: &str = "nonvoluntary_ctxt_switches:";
+
+/// Start of the line of a thread's status that counts how often it waited.
+pub(super) const VOLUNTARY: &str = "voluntary_ctxt_switches:";
+
+/// The number in the line of `status` that begins with `kind`.
+pub(super) fn switches(status: &str, kind: &str) -> Option<u64> {
+    status.lines().find_map(|line| line.strip_prefix(kind))?.trim().parse().ok()
 }
 
 #[cfg(test)]
@@ -40,9 +46,10 @@ mod tests {
     #[test]
     fn reads_the_right_line() {
         let status = "Name:\tx\nvoluntary_ctxt_switches:\t150\nnonvoluntary_ctxt_switches:\t17\n";
-        assert_eq!(involuntary_switches(status), Some(17));
-        assert_eq!(involuntary_switches("Name:\tx\n"), None);
-        assert_eq!(involuntary_switches("nonvoluntary_ctxt_switches:\tmany"), None);
+        assert_eq!(switches(status, INVOLUNTARY), Some(17));
+        assert_eq!(switches(status, VOLUNTARY), Some(150));
+        assert_eq!(switches("Name:\tx\n", INVOLUNTARY), None);
+        assert_eq!(switches("nonvoluntary_ctxt_switches:\tmany", INVOLUNTARY), None);
     }
 
     #[test]

@@ -2,7 +2,9 @@
 
 use super::build_info::BuildInfo;
 use super::clock::{Clock, TimerFigures, timer_figures};
+use super::counters::{Counters, HardwareCounters, paranoid_level};
 use super::date::now_rfc3339;
+use super::interference::load_average;
 use super::machine::{Machine, list_length};
 use serde::{Deserialize, Serialize};
 use std::fs::read_to_string;
@@ -16,8 +18,30 @@ pub struct Environment {
     pub machine: Machine,
     /// Instruction-set levels that it has; whoever knows of levels fills this in.
     pub levels: Vec<String>,
-    /// Hardware counters that can be read; whoever knows of counters fills this in.
+    /// Hardware counters that can be read.
     pub counters: Vec<String>,
+    /// Why there are none, and what would help; `None` if there are some.
+    #[serde(default)]
+    pub counters_reason: Option<String>,
+    /// What the kernel allows of counting without privileges: the lower, the more; up to 2, a
+    /// thread may count its own code.
+    #[serde(default)]
+    pub perf_event_paranoid: Option<i64>,
+    /// The only processor that was measured on; whoever pins fills this in.
+    #[serde(default)]
+    pub pinned_cpu: Option<usize>,
+    /// Why this one, or why none; whoever pins fills this in.
+    #[serde(default)]
+    pub pin_note: Option<String>,
+    /// Who chooses the first processor's frequency, such as `performance`.
+    #[serde(default)]
+    pub governor: Option<String>,
+    /// Whether cores are shared by several logical processors.
+    #[serde(default)]
+    pub smt: Option<bool>,
+    /// Whether the program lies at other addresses in each run.
+    #[serde(default)]
+    pub aslr: Option<bool>,
     /// Release of the operating system's kernel.
     pub kernel_release: Option<String>,
     /// Name of the operating system as it calls itself.
@@ -44,11 +68,20 @@ impl Environment {
         let status = read_to_string("/proc/self/status").unwrap_or_default();
         let allowed_cpus = value_of(&status, "Cpus_allowed_list:");
         let release = read_to_string("/etc/os-release").unwrap_or_default();
+        let (counters, counters_reason) = counters();
         Environment {
             testbed_id: machine.testbed_id(),
             machine,
             levels: Vec::new(),
-            counters: Vec::new(),
+            counters,
+            counters_reason,
+            perf_event_paranoid: paranoid_level(),
+            pinned_cpu: None,
+            pin_note: None,
+            governor: trimmed("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor"),
+            smt: trimmed("/sys/devices/system/cpu/smt/active").and_then(|text| flag(&text)),
+            aslr: trimmed("/proc/sys/kernel/randomize_va_space")
+                .and_then(|level| aslr(&level, trimmed("/proc/self/personality").as_deref())),
             kernel_release: trimmed("/proc/sys/kernel/osrelease"),
             system_name: value_of(&release, "PRETTY_NAME=").map(|n| n.replace('"', "")),
             allowed_cpu_count: allowed_cpus.as_deref().and_then(list_length),
@@ -66,10 +99,31 @@ fn value_of(text: &str, start: &str) -> Option<String> {
     text.lines().find_map(|line| line.strip_prefix(start)).map(|value| value.trim().to_owned())
 }
 
-fn load_average(text: &str) -> Option<[f64; 3]> {
-    let mut numbers = text.split_whitespace().map(|word| word.parse::<f64>().ok());
-    let mut next = || numbers.next().flatten().filter(|n| n.is_finite());
-    Some([next()?, next()?, next()?])
+/// The names of the counters that can be opened; if none can, why.
+fn counters() -> (Vec<String>, Option<String>) {
+    match HardwareCounters::open() {
+        Ok(counters) => (counters.names().into_iter().map(str::to_owned).collect(), None),
+        Err(reason) => (Vec::new(), Some(reason)),
+    }
+}
+
+/// `1` or `0`.
+fn flag(text: &str) -> Option<bool> {
+    match text {
+        "1" => Some(true),
+        "0" => Some(false),
+        _ => None,
+    }
+}
+
+/// Whether addresses are random: `level` is the system's setting, 0 for never; `personality` holds
+/// this process's exceptions from it as a hexadecimal number, where it can be read.
+fn aslr(level: &str, personality: Option<&str>) -> Option<bool> {
+    /// `ADDR_NO_RANDOMIZE` of personality(2), which debuggers and `setarch -R` set.
+    const NOT_RANDOM: u32 = 0x0004_0000;
+    let level: u32 = level.parse().ok()?;
+    let exceptions = personality.and_then(|text| u32::from_str_radix(text, 16).ok()).unwrap_or(0);
+    Some(level > 0 && exceptions & NOT_RANDOM == 0)
 }
 
 #[cfg(test)]
@@ -79,11 +133,29 @@ mod tests {
 
     #[test]
     fn parses_what_the_system_prints() {
-        assert_eq!(load_average("0.50 1.25 2.00 1/123 456"), Some([0.5, 1.25, 2.0]));
-        assert_eq!(load_average("0.50 nan"), None);
         let status = "Name:\tx\nCpus_allowed_list:\t0-1\n";
         assert_eq!(value_of(status, "Cpus_allowed_list:").as_deref(), Some("0-1"));
         assert_eq!(value_of(status, "Cpus_allowed:"), None);
+    }
+
+    #[test]
+    fn flags_are_one_or_zero() {
+        assert_eq!((flag("1"), flag("0"), flag("on")), (Some(true), Some(false), None));
+    }
+
+    #[test]
+    fn addresses_are_random_unless_somebody_says_no() {
+        assert_eq!(aslr("2", Some("00000000")), Some(true));
+        assert_eq!(aslr("2", Some("00040000")), Some(false));
+        assert_eq!(aslr("0", None), Some(false));
+        assert_eq!(aslr("1", None), Some(true));
+        assert_eq!(aslr("", None), None);
+    }
+
+    #[test]
+    fn counters_or_a_reason() {
+        let environment = Environment::capture(&mut ScriptedClock::new(25));
+        assert_eq!(environment.counters.is_empty(), environment.counters_reason.is_some());
     }
 
     #[test]
@@ -110,5 +182,20 @@ mod tests {
         let text = serde_json::to_string(&environment).expect("writes");
         let back: Environment = serde_json::from_str(&text).expect("reads");
         assert_eq!(back, environment);
+    }
+
+    #[test]
+    #[cfg(feature = "cli")]
+    fn reads_what_older_versions_wrote() {
+        let environment = Environment::capture(&mut ScriptedClock::new(25));
+        let mut json = serde_json::to_value(&environment).expect("writes");
+        let fields = json.as_object_mut().expect("is an object");
+        let young = "counters_reason perf_event_paranoid pinned_cpu pin_note governor smt aslr";
+        for name in young.split(' ') {
+            assert!(fields.remove(name).is_some(), "{name}");
+        }
+        let back: Environment = serde_json::from_value(json).expect("reads");
+        assert_eq!(back.testbed_id, environment.testbed_id);
+        assert_eq!((back.counters_reason, back.aslr), (None, None));
     }
 }

@@ -6,6 +6,7 @@
 //! All contestants run once a round, in positions drawn by a Latin square, in blocks too short
 //! for a pre-emption to fall into many of them. Comparisons are between blocks of one round.
 
+mod affinity;
 mod build_info;
 mod calibrate;
 mod chain;
@@ -24,8 +25,10 @@ mod group;
 #[cfg(test)]
 mod group_tests;
 mod guard;
+mod interference;
 mod latin;
 mod machine;
+mod pin;
 mod plan;
 mod protocol;
 mod report;
@@ -39,7 +42,7 @@ pub use build_info::BuildInfo;
 pub use chain::{CYCLES_PER_STEP, Chain};
 pub use clock::{Clock, ScriptedClock, TimerFigures, WallClock, timer_figures};
 pub use contestant::{Contestant, Expected, Role};
-pub use counters::{Counters, Counts, NoCounters};
+pub use counters::{Counters, Counts, HardwareCounters, NoCounters, ScriptedCounters};
 pub use date::{now_rfc3339, rfc3339};
 pub use dependent::Dependent;
 pub use disturbance::{Disturbance, InvoluntarySwitches, Undisturbed};
@@ -49,6 +52,8 @@ pub use figures::{CyclesSource, Figures, GroupReport, Invalid, Status};
 pub use forget::{Forget, Remember};
 pub use group::{Progress, Surroundings, measure_group};
 pub use guard::MOST_OPERATIONS_PER_CYCLE;
+pub use interference::Interference;
 pub use latin::LatinOrder;
 pub use machine::{Cache, Machine};
+pub use pin::{Pin, Pinned, pin};
 pub use protocol::{Order, Protocol, ProtocolError};

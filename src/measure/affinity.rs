@@ -1,0 +1,92 @@
+//! Which processors the calling thread may run on: what the system offers of it, in plain numbers.
+
+#[cfg(target_os = "linux")]
+mod system {
+    use nix::sched::{CpuSet, sched_getaffinity, sched_setaffinity};
+    use nix::unistd::Pid;
+
+    /// The calling thread, as these two calls name it.
+    const THIS_THREAD: Pid = Pid::from_raw(0);
+
+    /// Numbers of the processors that the calling thread may run on, ascending.
+    ///
+    /// # Errors
+    /// Why the system does not tell.
+    pub fn allowed_cpus() -> Result<Vec<usize>, String> {
+        let set = sched_getaffinity(THIS_THREAD).map_err(|error| error.to_string())?;
+        Ok((0..CpuSet::count()).filter(|&cpu| set.is_set(cpu) == Ok(true)).collect())
+    }
+
+    /// Keeps the calling thread, and those that it starts from now on, on these processors.
+    ///
+    /// # Errors
+    /// Why the system refuses.
+    pub fn run_on(cpus: &[usize]) -> Result<(), String> {
+        let mut set = CpuSet::new();
+        cpus.iter()
+            .try_for_each(|&cpu| set.set(cpu))
+            .and_then(|()| sched_setaffinity(THIS_THREAD, &set))
+            .map_err(|error| error.to_string())
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+mod system {
+    const LINUX_ONLY: &str = "a processor is chosen on Linux only";
+
+    /// Nothing is known here.
+    ///
+    /// # Errors
+    /// Always.
+    pub fn allowed_cpus() -> Result<Vec<usize>, String> {
+        Err(LINUX_ONLY.to_owned())
+    }
+
+    /// Nothing is done here.
+    ///
+    /// # Errors
+    /// Always.
+    pub fn run_on(_cpus: &[usize]) -> Result<(), String> {
+        Err(LINUX_ONLY.to_owned())
+    }
+}
+
+pub(super) use system::{allowed_cpus, run_on};
+
+/// The numbers as the system writes them, such as `0-3,8`; they ascend.
+pub(super) fn list_of(cpus: &[usize]) -> String {
+    let runs = cpus.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
+        [first, .., last] => format!("{first}-{last}"),
+        [only] => only.to_string(),
+        [] => String::new(),
+    });
+    runs.collect::<Vec<_>>().join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_are_short() {
+        assert_eq!(list_of(&[0, 1, 2, 3, 8]), "0-3,8");
+        assert_eq!(list_of(&[1, 3]), "1,3");
+        assert_eq!(list_of(&[]), "");
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn a_thread_stays_where_it_is_put() {
+        // In a thread of its own: the setting dies with it.
+        let check = || {
+            let allowed = allowed_cpus().expect("Linux tells");
+            let last = *allowed.last().expect("it runs somewhere");
+            run_on(&[last]).expect("that one is allowed");
+            assert_eq!(allowed_cpus(), Ok(vec![last]));
+            run_on(&allowed).expect("all are allowed");
+            assert_eq!(allowed_cpus(), Ok(allowed));
+            assert!(run_on(&[usize::MAX]).is_err());
+        };
+        std::thread::spawn(check).join().expect("no assertion fails");
+    }
+}
