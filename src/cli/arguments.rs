@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
 use crate::experiment::Profile;
-use crate::measure::Order;
+use crate::measure::{Order, Pin};
 use crate::workload::Generator;
 
 const EXAMPLES: &str = "\
@@ -116,6 +116,9 @@ pub struct Batch {
     /// Say what would run and how long it would take
     #[arg(long)]
     pub dry_run: bool,
+    /// Processor to measure on: `auto` for the quietest, `off` for any, or its number
+    #[arg(long, default_value_t = Pin::Auto)]
+    pub pin: Pin,
     /// Go on with an interrupted run in the folder of --out
     #[arg(long, requires = "out")]
     pub resume: bool,

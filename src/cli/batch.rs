@@ -7,13 +7,12 @@ use std::time::{Duration, Instant};
 use super::arguments::{Batch, Reproduce, Run};
 use super::failure::Failure;
 use super::folder::{Folder, Source, built_in_sources};
+use super::instruments::Instruments;
 use super::{interrupt, progress};
 use crate::experiment::{
-    Bench, Distraction, Experiment, Plan, Profile, SECONDS_PER_BLOCK, Workload, pattern_of,
-    run as run_plan,
+    Experiment, Plan, Profile, SECONDS_PER_BLOCK, Workload, pattern_of, run as run_plan,
 };
-use crate::level::levels;
-use crate::measure::{Environment, InvoluntarySwitches, NoCounters, WallClock};
+use crate::measure::Environment;
 use crate::workload::hash::Fnv;
 
 /// Experiments from files.
@@ -40,12 +39,7 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     if batch.dry_run {
         return dry_run(&plans, profile);
     }
-    let mut environment = Environment::capture(&mut WallClock::new());
-    environment.levels = levels()
-        .into_iter()
-        .filter(|(_, available)| *available)
-        .map(|(level, _)| level.to_owned())
-        .collect();
+    let (instruments, environment) = Instruments::set_up(batch.pin);
     let hash = config_hash(&plans, &sources, batch, &environment);
     let folder = Folder::new(batch.out.as_deref(), hash, environment);
     let finished = plans
@@ -59,7 +53,7 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
         plans.iter().map(|plan| estimate(plan, profile).total()).sum::<f64>().ceil(),
         folder.path().display()
     );
-    measure(&plans, finished, batch, &folder)
+    measure(&plans, finished, batch, &folder, instruments)
 }
 
 fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
@@ -158,12 +152,11 @@ fn measure(
     finished: Vec<Option<Vec<String>>>,
     batch: &Batch,
     folder: &Folder,
+    mut instruments: Instruments,
 ) -> Result<(), Failure> {
     let profile = batch.profile.value();
     let cancel = interrupt::flag();
     let bar = progress::bar(plans.iter().map(|plan| plan.blocks(profile)).sum());
-    let (mut clock, mut disturbance) = (WallClock::new(), InvoluntarySwitches);
-    let (mut counters, mut forget) = (NoCounters, Distraction::new());
     let mut wrong: Vec<String> = Vec::new();
     for (plan, finished) in plans.iter().zip(finished) {
         let id = plan.experiment.id.clone();
@@ -175,18 +168,9 @@ fn measure(
         }
         bar.set_message(id.clone());
         let start = Instant::now();
-        let outcome = run_plan(
-            plan,
-            &mut Bench {
-                rounds: profile.rounds(),
-                clock: &mut clock,
-                disturbance: &mut disturbance,
-                counters: &mut counters,
-                forget: &mut forget,
-                progress: &mut |blocks| bar.inc(blocks as u64),
-                cancel,
-            },
-        )?;
+        let mut progress = |blocks: usize| bar.inc(blocks as u64);
+        let outcome =
+            run_plan(plan, &mut instruments.bench(profile.rounds(), &mut progress, cancel))?;
         let figures = folder.save(plan, &outcome)?;
         bar.suspend(|| said(&id, &outcome, figures.len(), start.elapsed()));
         wrong.extend(outcome.wrong.iter().map(|variant| format!("{id}: {variant}")));

@@ -4,6 +4,7 @@ mod arguments;
 mod batch;
 mod failure;
 mod folder;
+mod instruments;
 mod interrupt;
 mod list;
 mod progress;

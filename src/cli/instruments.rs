@@ -1,0 +1,56 @@
+//! What measuring needs of this machine, set up once per run.
+
+use crate::experiment::{Bench, Distraction};
+use crate::level::levels;
+use crate::measure::{
+    Counters, Environment, HardwareCounters, InvoluntarySwitches, NoCounters, Pin, WallClock, pin,
+};
+use std::sync::atomic::AtomicBool;
+
+/// Clock, counters and the rest, on the processor that was chosen.
+pub struct Instruments {
+    clock: WallClock,
+    disturbance: InvoluntarySwitches,
+    counters: Box<dyn Counters>,
+    forget: Distraction,
+}
+
+impl Instruments {
+    /// Sets everything up on the calling thread, and tells where: what of it this machine has is
+    /// in the environment.
+    pub fn set_up(wanted: Pin) -> (Self, Environment) {
+        let mut clock = WallClock::new();
+        // Before the pinning, which would hide the other processors.
+        let mut environment = Environment::capture(&mut clock);
+        let has = |(level, available): (&str, bool)| available.then(|| level.to_owned());
+        environment.levels = levels().into_iter().filter_map(has).collect();
+        let mut disturbance = InvoluntarySwitches;
+        let pinned = pin(wanted, &mut clock, &mut disturbance);
+        environment.pinned_cpu = pinned.cpu;
+        environment.pin_note = Some(pinned.note);
+        let counters: Box<dyn Counters> = match HardwareCounters::open() {
+            Ok(counters) => Box::new(counters),
+            Err(_) => Box::new(NoCounters),
+        };
+        let forget = Distraction::new();
+        (Instruments { clock, disturbance, counters, forget }, environment)
+    }
+
+    /// A bench for groups of so many rounds.
+    pub fn bench<'a>(
+        &'a mut self,
+        rounds: usize,
+        progress: &'a mut dyn FnMut(usize),
+        cancel: &'a AtomicBool,
+    ) -> Bench<'a> {
+        Bench {
+            rounds,
+            clock: &mut self.clock,
+            disturbance: &mut self.disturbance,
+            counters: self.counters.as_mut(),
+            forget: &mut self.forget,
+            progress,
+            cancel,
+        }
+    }
+}
