@@ -97,4 +97,7 @@ pub mod chart;
 pub mod experiment;
 
 #[cfg(feature = "cli")]
+pub mod doctor;
+
+#[cfg(feature = "cli")]
 pub mod cli;

@@ -77,6 +77,11 @@ pub enum Verb {
         after_help = "Examples:\n  ray_test reproduce\n  ray_test reproduce --dry-run\n  ray_test reproduce --filter '^wald/' --out results/wald"
     )]
     Reproduce(Reproduce),
+    /// Tell whether this machine can measure, and how finely
+    #[command(
+        after_help = "Examples:\n  ray_test doctor\n  ray_test doctor --self-test --format json"
+    )]
+    Doctor(Doctor),
     /// Show kernels, variants, experiments, claims or levels
     #[command(after_help = "Example:\n  ray_test list variants --format csv")]
     List(List),
@@ -122,6 +127,30 @@ pub struct Batch {
     /// Go on with an interrupted run in the folder of --out
     #[arg(long, requires = "out")]
     pub resume: bool,
+}
+
+/// `ray_test doctor`
+#[derive(Args, Debug)]
+pub struct Doctor {
+    /// Test the verdicts as well: a kernel against its own copies, and slowed down by known work
+    /// (some minutes)
+    #[arg(long)]
+    pub self_test: bool,
+    /// Processor to measure on: `auto` for the quietest, `off` for any, or its number
+    #[arg(long, default_value_t = Pin::Auto)]
+    pub pin: Pin,
+    /// How it is printed
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+    /// Comparisons of the self-test, a third in each order
+    #[arg(long, default_value_t = 3000, hide = true)]
+    pub comparisons: u64,
+    /// Slow-downs of the self-test
+    #[arg(long, default_value_t = 100, hide = true)]
+    pub trials: u64,
+    /// Their size, percent
+    #[arg(long, default_value_t = 2.0, hide = true)]
+    pub inject: f64,
 }
 
 /// `ray_test list`
@@ -249,7 +278,7 @@ fn slip(word: &str) -> Option<String> {
     if word.parse::<f64>().is_ok() || word == "all" {
         return None;
     }
-    let here = ["run", "reproduce", "list", "help"];
+    let here = ["run", "reproduce", "doctor", "list", "help"];
     let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
     if VERBS.contains(&word) && !here.contains(&word) {
         let known = known.join(", ");

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod batch;
+mod doctor;
 mod failure;
 mod folder;
 mod instruments;
@@ -43,6 +44,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         None => thesis::run(&arguments.thesis),
         Some(Verb::Run(run)) => batch::run(&run),
         Some(Verb::Reproduce(reproduce)) => batch::reproduce(&reproduce),
+        Some(Verb::Doctor(doctor)) => doctor::run(&doctor),
         Some(Verb::List(list)) => list::run(&list),
     }
 }

@@ -5,7 +5,7 @@
 
 use super::cells::Bench;
 use crate::measure::{
-    Contestant, Dependent, Figures, GroupReport, Order, Protocol, ProtocolError, Role, Status,
+    Contestant, Dependent, Figures, GroupReport, Order, Pace, Protocol, ProtocolError, Role, Status,
 };
 use crate::table::Row;
 
@@ -45,14 +45,14 @@ pub fn measure(
         return Ok(());
     }
     let protocol = Protocol { rounds: bench.rounds, ..Protocol::new(order, seed) };
-    let cold = Protocol { cold: true, ..protocol.clone() };
+    let cold = Protocol { pace: Pace::Cold, ..protocol.clone() };
     put(&bench.measure_as(&mut group, &cold)?, &places, rows, put_cold);
     let dependent = |contestant: Contestant| match contestant.role {
         Role::Chain => contestant,
         _ => Contestant { job: Box::new(Dependent::new(contestant.job)), ..contestant },
     };
     let mut group: Vec<Contestant> = group.into_iter().map(dependent).collect();
-    let latency = Protocol { block_ns: LATENCY_BLOCK_NS, ..protocol };
+    let latency = Protocol { pace: Pace::Latency, block_ns: LATENCY_BLOCK_NS, ..protocol };
     put(&bench.measure_as(&mut group, &latency)?, &places, rows, put_latency);
     Ok(())
 }

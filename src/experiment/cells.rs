@@ -8,7 +8,7 @@ use super::rows::{blank, outputs_hash, put_group, put_judgement};
 use super::scene::Scene;
 use crate::measure::{
     Chain, Clock, Contestant, Counters, Disturbance, EmptyLoop, Figures, Forget, GroupReport,
-    Order, Progress, Protocol, ProtocolError, Role, Surroundings, measure_group,
+    Order, PREDICTED_TESTS, Progress, Protocol, ProtocolError, Role, Surroundings, measure_group,
 };
 use crate::registry::{self, Variant};
 use crate::table::Row;
@@ -131,29 +131,44 @@ pub fn run(
 }
 
 /// Groups of at most [`MOST_SUBJECTS`], cut between kernels where that is possible, so that the
-/// forms of a kernel are measured in the same rounds.
+/// forms of a kernel are measured in the same rounds. Single rays and packets apart: a packet of
+/// sixteen rays is the least that a group with it can replay, and that many tests of each single
+/// form are more than a branch predictor remembers.
 fn groups(
     ready: Vec<(usize, Contestant)>,
     variants: &[&'static Variant],
 ) -> Vec<Vec<(usize, Contestant)>> {
+    let (singles, packets): (Vec<_>, Vec<_>) =
+        ready.into_iter().partition(|(place, _)| variants[*place].lanes == 1);
+    let mut groups = cut(singles, variants);
+    groups.extend(cut(packets, variants));
+    groups
+}
+
+fn cut(
+    ready: Vec<(usize, Contestant)>,
+    variants: &[&'static Variant],
+) -> Vec<Vec<(usize, Contestant)>> {
     let kernel = |place: usize| variants[place].axes.kernel;
-    let mut left: Vec<usize> = ready.iter().map(|(place, _)| *place).collect();
     let mut groups: Vec<Vec<(usize, Contestant)>> = Vec::new();
+    let runs = ready.chunk_by(|(a, _), (b, _)| kernel(*a) == kernel(*b)).map(<[_]>::len);
+    let runs: Vec<usize> = runs.collect();
+    let mut ready = ready.into_iter();
     let mut room = 0;
-    for (place, contestant) in ready {
-        let begins = groups
-            .last()
-            .and_then(|group| group.last())
-            .is_none_or(|(other, _)| kernel(*other) != kernel(place));
-        let run = left.iter().take_while(|other| kernel(**other) == kernel(place)).count();
-        if room == 0 || (begins && run > room && run <= MOST_SUBJECTS) {
-            groups.push(Vec::new());
-            room = MOST_SUBJECTS;
+    for run in runs {
+        // A kernel with more forms than a group has places fills up what is left of the last one.
+        if run > room && run <= MOST_SUBJECTS {
+            room = 0;
         }
-        left.remove(0);
-        room -= 1;
-        if let Some(group) = groups.last_mut() {
-            group.push((place, contestant));
+        for member in ready.by_ref().take(run) {
+            if room == 0 {
+                groups.push(Vec::new());
+                room = MOST_SUBJECTS;
+            }
+            room -= 1;
+            if let Some(group) = groups.last_mut() {
+                group.push(member);
+            }
         }
     }
     groups
@@ -207,13 +222,12 @@ fn time(
     let subjects = contestants.len();
     add_controls(&mut contestants, reference, scene);
     let report = bench.measure(&mut contestants, order, scene.facts.seed)?;
-    let controls = contestants.len() - subjects;
     for (place, figures) in places.iter().zip(&report.figures) {
         let row = &mut measured.rows[*place];
         let ok = std::mem::take(&mut row.status);
         put_group(row, figures, &report, &ok);
         if order == Order::Fixed {
-            mark_forgotten(row, scene, subjects + controls);
+            mark_forgotten(row, scene);
         }
     }
     calls::measure(contestants, &places, order, scene.facts.seed, bench, &mut measured.rows)?;
@@ -223,21 +237,17 @@ fn time(
 
 /// Says so where a set that is replayed may be, or was seen to be, more than the branch predictor
 /// remembers of it between two turns of a kernel.
-fn mark_forgotten(row: &mut Row, scene: &Scene, contestants: usize) {
+fn mark_forgotten(row: &mut Row, scene: &Scene) {
     if let Some(times) = row.solo_ratio.filter(|times| *times > MOST_OVER_SOLO) {
         row.reason = format!("{times:.2} times the time alone: {BEYOND}");
-    } else if beyond_prediction(scene, contestants) {
-        row.reason = format!("{contestants} kernels x {} pairs {BEYOND}", scene.rays.len());
+    } else if beyond_prediction(scene, 1) {
+        row.reason = format!("{} pairs {BEYOND}", scene.rays.len());
     }
 }
 
 /// Time among others over time alone that is still put down to noise: the shortest of few blocks
 /// were within 3 % of each other where nothing was forgotten, and 2 to 5 times apart where it was.
 const MOST_OVER_SOLO: f64 = 1.1;
-
-/// Tests that a predictor is sure to hold of a replayed set: what one core of 2025 held, as long as
-/// nobody has measured this machine's.
-const PREDICTED_TESTS: usize = 16_000;
 
 /// Said of rows in `fixed` order whose branches may not all be remembered.
 pub const BEYOND: &str = "may be more than the branch predictor remembers: not purely `fixed`";
@@ -267,7 +277,8 @@ fn add_controls(contestants: &mut Vec<Contestant>, reference: &'static Variant, 
     contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
 }
 
-fn control(variant: &'static Variant, role: Role, scene: &Scene) -> Option<Contestant> {
+/// A variant as a control; `None` if it cannot run here or is not right about the scene.
+pub fn control(variant: &'static Variant, role: Role, scene: &Scene) -> Option<Contestant> {
     let mut row = blank("", variant, scene, Order::Fixed);
     let contestant = checked(variant, scene, &mut row).ok()?;
     Some(Contestant { role, ..contestant })

@@ -21,7 +21,7 @@ mod scene;
 mod select;
 mod workload;
 
-pub use cells::{BEYOND, Bench, beyond_prediction};
+pub use cells::{BEYOND, Bench, beyond_prediction, control};
 pub use config::{ConfigError, Experiment};
 pub use distraction::Distraction;
 pub use plan::{Plan, Profile, SECONDS_PER_BLOCK};

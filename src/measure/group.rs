@@ -8,7 +8,7 @@ use super::figures::GroupReport;
 use super::forget::Forget;
 use super::latin::LatinOrder;
 use super::plan::{align, cold_plan, plan, shared_windows};
-use super::protocol::{Order, Protocol, ProtocolError};
+use super::protocol::{Order, Pace, Protocol, ProtocolError};
 use super::report::report;
 use super::runner::{Instruments, Runner};
 use super::steadiness::Steadiness;
@@ -86,7 +86,7 @@ fn prepare(
     surroundings: &mut Surroundings<'_>,
     rng: &mut Pcg64Mcg,
 ) {
-    if protocol.cold {
+    if protocol.pace == Pace::Cold {
         runners.iter_mut().for_each(|r| r.plan = cold_plan(r.contestant.job.items()));
         return;
     }
@@ -159,10 +159,11 @@ fn run_rounds(
     for window in 0..planned {
         let positions = latin.next_round();
         loop {
-            let at = (&positions[..], window, protocol.cold);
+            let at = (&positions[..], window, protocol.pace);
             let mut ended = run_round(runners, at, surroundings, &mut progress, rng);
             // A cold chain is one step: no measure of anything.
-            if ended == Ended::Clean && !protocol.cold && !steadiness.keeps_step(runners) {
+            let is_cold = protocol.pace == Pace::Cold;
+            if ended == Ended::Clean && !is_cold && !steadiness.keeps_step(runners) {
                 ended = Ended::Dirty;
             }
             runners.iter_mut().for_each(|r| r.end_round(ended == Ended::Clean));
@@ -190,7 +191,7 @@ fn run_rounds(
 /// One round. A disturbance spoils it for everybody, so that none gains.
 fn run_round(
     runners: &mut [Runner<'_>],
-    (positions, window, cold): (&[usize], usize, bool),
+    (positions, window, pace): (&[usize], usize, Pace),
     surroundings: &mut Surroundings<'_>,
     progress: &mut Progress,
     rng: &mut Pcg64Mcg,
@@ -201,7 +202,7 @@ fn run_round(
             return Ended::Cancelled;
         }
         let instruments = &mut surroundings.instruments(rng);
-        if cold {
+        if pace == Pace::Cold {
             runners[position].cold_block(window, instruments);
         } else {
             runners[position].block(window, instruments);

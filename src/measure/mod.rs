@@ -56,4 +56,5 @@ pub use interference::Interference;
 pub use latin::LatinOrder;
 pub use machine::{Cache, Machine};
 pub use pin::{Pin, Pinned, pin};
-pub use protocol::{Order, Protocol, ProtocolError};
+pub use plan::PREDICTED_TESTS;
+pub use protocol::{Order, Pace, Protocol, ProtocolError};

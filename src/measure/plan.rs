@@ -15,6 +15,9 @@ const LEAST_IN_A_ROW: usize = 64;
 /// Repeats in a row where the rounds suffice to visit every item at that.
 const WANTED_IN_A_ROW: usize = 256;
 
+/// Least passes of a block under [`Order::Fixed`].
+const LEAST_PASSES: u64 = 4;
+
 /// Items that are looked at to guess what an item costs under [`Order::Literal`].
 const PROBED_ITEMS: usize = 256;
 
@@ -59,26 +62,34 @@ pub(super) fn shared_windows(
 ) -> usize {
     let mut windows = 1;
     let mut smallest = usize::MAX;
+    let mut walks = 0;
     for contestant in contestants.iter_mut().filter(|c| !c.role.is_orderless()) {
+        let lanes = contestant.lanes.max(1);
         let job = contestant.job.as_mut();
         smallest = smallest.min(job.items());
+        walks += job.items() * job.tests_per_item() as usize / lanes;
         windows = windows.max(match protocol.order {
             Order::Fixed => fixed_windows(job, protocol, clock),
             Order::Literal => literal_windows(job, protocol, clock),
             Order::Reshuffled => 1,
         });
     }
+    if protocol.order == Order::Fixed {
+        windows = windows.max(walks.div_ceil(PREDICTED_TESTS));
+    }
     windows.min(smallest)
 }
 
-/// One, unless a pass takes more than two blocks.
+/// Tests that a branch predictor remembers, of all the contestants that take turns: what cores of
+/// the early 2020s did. Where a machine remembers less, the time alone shows it.
+pub const PREDICTED_TESTS: usize = 16_000;
+
+/// One, unless a pass takes so long that a block would have less than four: the first of them is
+/// not yet foreseen as the others are.
 fn fixed_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
     let whole = Block::whole(job);
     let pass_ns = shortest_ns(job, whole, clock);
-    if pass_ns <= protocol.block_ns.saturating_mul(2) {
-        return 1;
-    }
-    pass_ns.div_ceil(protocol.block_ns) as usize
+    pass_ns.saturating_mul(LEAST_PASSES).div_ceil(protocol.block_ns) as usize
 }
 
 /// As many as give [`WANTED_IN_A_ROW`] repeats, but not so many that some are never visited,

@@ -32,6 +32,19 @@ impl fmt::Display for Order {
     }
 }
 
+/// How the items of a block are run, and so what their time says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pace {
+    /// As fast as they come; the next item may begin before the last has ended.
+    Throughput,
+    /// The jobs make each item wait for the answer to the one before ([`super::Dependent`]). The
+    /// calls themselves may be most of the time, so nothing is said of too short ones.
+    Latency,
+    /// A block is one item, run once, after everything that could remember its code was made to
+    /// forget; the same item for all contestants of a round. Block length and order mean nothing.
+    Cold,
+}
+
 /// How a group of contestants is measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Protocol {
@@ -47,9 +60,8 @@ pub struct Protocol {
     pub order: Order,
     /// Seed of the positions and permutations.
     pub seed: u64,
-    /// `true`: a block is one item, run once, after everything that could remember it was made to
-    /// forget; the same item for all contestants of a round. `block_ns` and `order` mean nothing.
-    pub cold: bool,
+    /// How the items of a block are run.
+    pub pace: Pace,
     /// Relative difference that is none, > 0, whatever the noise allows to see.
     pub margin: f64,
 }
@@ -91,7 +103,7 @@ impl Protocol {
     /// With fewer rounds the interval is that of the extremes, or none (below 6).
     pub const LEAST_ROUNDS: usize = 8;
 
-    /// Blocks of 60 us, 64 rounds, warm; a difference below 1 % is none.
+    /// Blocks of 60 us, 64 rounds, for throughput; a difference below 1 % is none.
     pub fn new(order: Order, seed: u64) -> Self {
         Protocol {
             block_ns: 60_000,
@@ -99,7 +111,7 @@ impl Protocol {
             exact_rounds: false,
             order,
             seed,
-            cold: false,
+            pace: Pace::Throughput,
             margin: 0.01,
         }
     }

@@ -5,7 +5,7 @@ use super::contestant::Role;
 use super::figures::{CyclesSource, Figures, GroupReport, Invalid, Status};
 use super::group::Rounds;
 use super::guard;
-use super::protocol::Protocol;
+use super::protocol::{Pace, Protocol};
 use super::runner::{Runner, Sample};
 use crate::stats::{decide, log_ratios, median, paired_ratio, sign_interval};
 
@@ -43,7 +43,7 @@ pub(super) fn report(
 ) -> GroupReport {
     let controls = Controls::of(runners);
     let floor = noise_floor(runners, &controls);
-    if !protocol.cold {
+    if protocol.pace == Pace::Throughput {
         guard_all(runners, &controls, floor);
     }
     let mut figures: Vec<Figures> =

@@ -163,7 +163,7 @@ fn a_cold_block_is_one_item_after_everything_was_forgotten() {
     let (contestant, calls) = subject("one", Role::Subject, ScriptedJob::new(&script, 50, 7));
     let (other, _) = subject("other", Role::Reference, ScriptedJob::new(&script, 50, 7));
     let mut log = Log(Vec::new());
-    let cold = Protocol { cold: true, ..protocol(Order::Reshuffled) };
+    let cold = Protocol { pace: Pace::Cold, ..protocol(Order::Reshuffled) };
     let mut surroundings = Surroundings {
         clock: &mut script.clock.clone(),
         disturbance: &mut Undisturbed,

@@ -1,0 +1,161 @@
+//! `ray_test doctor`: can this machine measure, and how finely.
+
+use std::io::Write;
+
+use serde_json::{Map, Value, json};
+
+use super::arguments::{Doctor, Format};
+use super::failure::Failure;
+use super::instruments::Instruments;
+use super::{interrupt, progress};
+use crate::doctor::{
+    AaTrials, DoctorError, Examination, InjectedTrials, aa_trials, advice, injected_trials,
+};
+use crate::experiment::Profile;
+use crate::measure::{Environment, Order};
+
+const ORDERS: [Order; 3] = [Order::Literal, Order::Fixed, Order::Reshuffled];
+
+/// Sizes of an injected slow-down that count as right: within so much of the truth.
+const SIZE_ERROR: f64 = 0.003;
+
+/// Examines the machine, and with `--self-test` the verdicts.
+pub fn run(arguments: &Doctor) -> Result<(), Failure> {
+    let share = arguments.inject / 100.0;
+    if !(share > 0.0 && share < 1.0) {
+        return Err(Failure::Usage(format!(
+            "--inject: {} is not allowed; allowed: above 0, below 100 (percent)",
+            arguments.inject
+        )));
+    }
+    let (mut instruments, environment) = Instruments::set_up(arguments.pin);
+    let cancel = interrupt::flag();
+    let mut silent = |_: usize| {};
+    let mut bench = instruments.bench(Profile::Quick.rounds(), &mut silent, cancel);
+    let found = Examination::of_this_machine(&mut bench)?;
+    let mut facts = facts(&found, &environment);
+    if arguments.self_test {
+        let bar = progress::bar((arguments.comparisons + arguments.trials) as usize);
+        let each = arguments.comparisons.div_ceil(3);
+        let mut done = 0;
+        for order in ORDERS {
+            let comparisons = each.min(arguments.comparisons - done);
+            let trials = aa_trials(order, comparisons, &mut bench, |n| bar.set_position(done + n))?;
+            done += comparisons;
+            put_aa(&mut facts, order, &trials);
+        }
+        let injected =
+            injected_trials(share, arguments.trials, &mut bench, |n| bar.set_position(done + n))?;
+        put_injected(&mut facts, &injected);
+        bar.finish_and_clear();
+    }
+    print(&facts, arguments.format)?;
+    if cancel.load(std::sync::atomic::Ordering::Relaxed) {
+        return Err(Failure::Interrupted);
+    }
+    Ok(())
+}
+
+/// What was found, in the order in which it is printed.
+fn facts(found: &Examination, environment: &Environment) -> Map<String, Value> {
+    let machine = &environment.machine;
+    let predictor = found.predictor.as_ref();
+    let mut facts = Map::new();
+    let mut put = |key: &str, value: Value| facts.insert(key.to_owned(), value);
+    put("processor", json!(machine.processor));
+    put("testbed_id", json!(environment.testbed_id));
+    put("logical_cpus", json!(machine.logical_cpus));
+    put("hypervisor", json!(machine.hypervisor));
+    put("pinned_cpu", json!(environment.pinned_cpu));
+    put("pin_note", json!(environment.pin_note));
+    put("levels", json!(environment.levels));
+    put("counters", json!(environment.counters));
+    put("counters_reason", json!(environment.counters_reason));
+    put("timer_ns", json!(environment.timer.resolution_ns));
+    put("timer_cost_ns", json!(environment.timer.cost_ns));
+    put("noise_floor_percent", json!(found.noise_floor().map(percent)));
+    for (order, noise) in &found.noise {
+        put(&format!("noise_floor_{order}_percent"), json!(percent(noise.floor)));
+        put(&format!("half_width_{order}_percent"), json!(percent(noise.half_width)));
+        put(&format!("dirty_{order}_percent"), json!(percent(noise.dirty_share)));
+    }
+    let spread = found.noise.iter().map(|(_, noise)| noise.chain_spread).reduce(f64::max);
+    put("chain_spread_percent", json!(spread.map(percent)));
+    put("predictor_tests", json!(predictor.and_then(|predictor| predictor.tests)));
+    put("predictor_or_more", json!(predictor.map(|predictor| predictor.or_more)));
+    put("unforeseen_ns", json!(predictor.map(|predictor| predictor.unforeseen_ns)));
+    for (size, ns) in predictor.map_or(&[][..], |predictor| &predictor.replayed) {
+        put(&format!("replayed_{size}_ns"), json!(ns));
+    }
+    put("steal_ticks", json!(found.interference.steal_ticks));
+    put("involuntary_switches", json!(found.interference.involuntary_switches));
+    put("load_average", json!(found.interference.load_average.map(|load| load[0])));
+    put("advice", json!(advice(found, environment).join(" ")));
+    facts
+}
+
+fn percent(share: f64) -> f64 {
+    share * 100.0
+}
+
+fn put_aa(facts: &mut Map<String, Value>, order: Order, trials: &AaTrials) {
+    let mut put = |key: &str, value: Value| facts.insert(format!("aa_{order}_{key}"), value);
+    put("comparisons", json!(trials.comparisons));
+    put("different", json!(trials.different));
+    put("same", json!(trials.same));
+    put("largest_percent", json!(percent(trials.largest)));
+}
+
+fn put_injected(facts: &mut Map<String, Value>, injected: &InjectedTrials) {
+    let mut put = |key: &str, value: Value| facts.insert(format!("injected_{key}"), value);
+    put("percent", json!(percent(injected.share)));
+    put("trials", json!(injected.trials.len()));
+    put("found", json!(injected.found()));
+    put("sized_within_0.3_points", json!(injected.sized_within(SIZE_ERROR)));
+    let sizes: Vec<f64> = injected.trials.iter().map(|(_, size)| *size).collect();
+    put("median_percent", json!(crate::stats::median(&sizes).map(percent)));
+}
+
+fn print(facts: &Map<String, Value>, format: Format) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    let text = |value: &Value| match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        Value::Array(values) => {
+            let words = values.iter().map(|value| value.as_str().unwrap_or_default());
+            words.collect::<Vec<_>>().join(" ")
+        }
+        other => other.to_string(),
+    };
+    match format {
+        Format::Json => {
+            let json = serde_json::to_string_pretty(facts)
+                .map_err(|error| Failure::Runtime(error.into()))?;
+            writeln!(out, "{json}")?;
+        }
+        Format::Csv => {
+            let failed = |error: ::csv::Error| Failure::Runtime(error.into());
+            let mut writer = ::csv::Writer::from_writer(out);
+            writer.write_record(facts.keys()).map_err(failed)?;
+            writer.write_record(facts.values().map(text)).map_err(failed)?;
+            writer.flush()?;
+        }
+        Format::Text => {
+            for (key, value) in facts.iter().filter(|(key, _)| *key != "advice") {
+                let value = match value.as_f64() {
+                    Some(number) if value.is_f64() => format!("{number:.3}"),
+                    _ => text(value),
+                };
+                writeln!(out, "{:<32}{value}", key.replace('_', " "))?;
+            }
+            writeln!(out, "\n{}", facts.get("advice").map(text).unwrap_or_default())?;
+        }
+    }
+    Ok(())
+}
+
+impl From<DoctorError> for Failure {
+    fn from(error: DoctorError) -> Self {
+        Failure::Runtime(error.into())
+    }
+}
