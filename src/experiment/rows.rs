@@ -71,8 +71,8 @@ pub fn put_figures(row: &mut Row, figures: &Figures, ok: &str) {
     match &figures.status {
         Status::Ok => row.status = ok.into(),
         Status::Invalid(reason) => {
-            let interrupted = matches!(reason, Invalid::NoRound);
-            row.status = if interrupted { "not-measured" } else { "invalid" }.into();
+            let missing = matches!(reason, Invalid::NoRound | Invalid::Interrupted { .. });
+            row.status = if missing { "not-measured" } else { "invalid" }.into();
             row.reason = reason.to_string();
             return;
         }

@@ -25,9 +25,15 @@ pub enum Invalid {
     /// A block took no time: it was optimised away, or the clock is too coarse.
     #[error("a block took no time")]
     NoTime,
-    /// It was not measured: cancelled early, or every round was disturbed.
+    /// It was not measured: every round was disturbed.
     #[error("no undisturbed round was measured")]
     NoRound,
+    /// Cancelled before there were enough rounds for figures that stand.
+    #[error("interrupted after {rounds} undisturbed rounds")]
+    Interrupted {
+        /// Clean rounds until then.
+        rounds: usize,
+    },
 }
 
 /// Whether the figures stand.
@@ -152,6 +158,15 @@ fn contestant_figures(runner: &Runner<'_>, controls: &Controls) -> Figures {
         repeats: runner.plan.repeats,
         windows: runner.plan.windows,
         samples,
+    }
+}
+
+/// Marks figures as ones that do not stand, whose own reasons are no better.
+pub(super) fn withhold(figures: &mut [Figures], reason: Invalid) {
+    for figures in figures.iter_mut() {
+        if matches!(figures.status, Status::Ok | Status::Invalid(Invalid::NoRound)) {
+            figures.status = Status::Invalid(reason.clone());
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::clock::Clock;
 use super::contestant::{self, Contestant, Role};
 use super::disturbance::Disturbance;
-use super::figures::{GroupReport, figures, placebo_floor};
+use super::figures::{GroupReport, Invalid, figures, placebo_floor, withhold};
 use super::latin::LatinOrder;
 use super::plan::{align, plan, shared_windows};
 use super::protocol::{Protocol, ProtocolError};
@@ -29,7 +29,7 @@ pub struct Surroundings<'a> {
     pub disturbance: &'a mut dyn Disturbance,
     /// Called between blocks, never inside a timed window.
     pub progress: &'a mut dyn FnMut(Progress),
-    /// Once true, the present round is the last.
+    /// Once true, the present block is the last, and the round that it is of is dropped.
     pub cancel: &'a AtomicBool,
 }
 
@@ -58,7 +58,10 @@ pub fn measure_group(
     prepare(&mut runners, protocol, surroundings, &mut rng);
     let rounds = run_rounds(&mut runners, protocol, surroundings, &mut rng);
     runners.iter_mut().for_each(Runner::restore);
-    let figures = figures(&runners, rounds.clean, rounds.dirty);
+    let mut figures = figures(&runners, rounds.clean, rounds.dirty);
+    if rounds.cancelled && rounds.clean < Protocol::LEAST_ROUNDS {
+        withhold(&mut figures, Invalid::Interrupted { rounds: rounds.clean });
+    }
     Ok(GroupReport {
         placebo_floor: placebo_floor(&figures),
         figures,
@@ -127,13 +130,13 @@ fn run_rounds(
     for window in 0..planned {
         let positions = latin.next_round();
         loop {
-            if surroundings.cancelled() {
+            let round = run_round(runners, &positions, window, surroundings, &mut progress, rng);
+            runners.iter_mut().for_each(|r| r.end_round(round == Round::Clean));
+            if round == Round::Cancelled {
                 rounds.cancelled = true;
                 return rounds;
             }
-            let clean = run_round(runners, &positions, window, surroundings, &mut progress, rng);
-            runners.iter_mut().for_each(|r| r.end_round(clean));
-            if clean {
+            if round == Round::Clean {
                 rounds.clean += 1;
                 break;
             }
@@ -151,7 +154,15 @@ fn run_rounds(
     rounds
 }
 
-/// One round; whether it was clean. A disturbance spoils it for everybody, so that none gains.
+/// How a round ended.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Round {
+    Clean,
+    Dirty,
+    Cancelled,
+}
+
+/// One round. A disturbance spoils it for everybody, so that none gains.
 fn run_round(
     runners: &mut [Runner<'_>],
     positions: &[usize],
@@ -159,12 +170,15 @@ fn run_round(
     surroundings: &mut Surroundings<'_>,
     progress: &mut Progress,
     rng: &mut Pcg64Mcg,
-) -> bool {
+) -> Round {
     let before = surroundings.disturbance.count();
     for &position in positions {
+        if surroundings.cancelled() {
+            return Round::Cancelled;
+        }
         runners[position].block(window, surroundings.clock, rng);
         progress.done_blocks += 1;
         (surroundings.progress)(*progress);
     }
-    surroundings.disturbance.count() == before
+    if surroundings.disturbance.count() == before { Round::Clean } else { Round::Dirty }
 }
