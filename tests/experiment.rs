@@ -3,7 +3,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use ray_test::experiment::{Bench, Experiment, Outcome, Plan, run};
+use ray_test::experiment::{Bench, Experiment, KeepNothing, Outcome, Plan, run};
 use ray_test::measure::{ScriptedClock, Undisturbed};
 use ray_test::table::Row;
 
@@ -18,6 +18,7 @@ fn rows(text: &str, cancelled: bool) -> Outcome {
         disturbance: &mut Undisturbed,
         progress: &mut |_| {},
         cancel: &cancel,
+        keep: &mut KeepNothing,
     };
     run(&plan, &mut bench).expect("a workload that can be drawn")
 }

@@ -6,10 +6,12 @@ mod failure;
 mod folder;
 mod interrupt;
 mod list;
+mod lock;
 mod progress;
 mod show;
 mod slices;
 mod thesis;
+mod unfinished;
 
 use std::process::ExitCode;
 

@@ -2,7 +2,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::rows::{blank, put_figures, put_judgement};
+use super::keep::Keep;
+use super::rows::{blank, put_figures, put_interrupted, put_judgement};
+use super::run::Trouble;
 use super::scene::Scene;
 use crate::measure::{
     Chain, Clock, Contestant, Disturbance, EmptyLoop, Figures, GroupReport, Order, Progress,
@@ -33,6 +35,8 @@ pub struct Bench<'a> {
     pub progress: &'a mut dyn FnMut(usize),
     /// Once true, nothing more is begun.
     pub cancel: &'a AtomicBool,
+    /// Where rows go as soon as they are final.
+    pub keep: &'a mut dyn Keep,
 }
 
 impl Bench<'_> {
@@ -73,10 +77,11 @@ pub struct Measured {
 }
 
 /// Runs a cell. Variants of levels that this processor lacks become rows with status `skipped`,
-/// wrong ones rows with status `wrong-result`, and neither is timed.
+/// wrong ones rows with status `wrong-result`, and neither is timed. The rows of each group are
+/// kept under the name `cell`; where that is `None`, whoever calls keeps the whole.
 ///
 /// # Errors
-/// A group that cannot be measured.
+/// A group that cannot be measured or kept.
 pub fn run(
     experiment: &str,
     variants: &[&'static Variant],
@@ -84,7 +89,8 @@ pub fn run(
     scene: &Scene,
     order: Order,
     bench: &mut Bench<'_>,
-) -> Result<Measured, ProtocolError> {
+    cell: Option<&str>,
+) -> Result<Measured, Trouble> {
     let mut measured = Measured { rows: Vec::new(), figures: Vec::new(), wrong: Vec::new() };
     let mut ready: Vec<(usize, Contestant)> = Vec::new();
     for variant in variants {
@@ -99,11 +105,18 @@ pub fn run(
         }
         measured.rows.push(row);
     }
-    for group in groups(ready, variants) {
+    if let Some(cell) = cell.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {
+        let timed = |place: &usize| ready.iter().any(|(other, _)| other == place);
+        let untimed: Vec<usize> = (0..measured.rows.len()).filter(|place| !timed(place)).collect();
+        bench.keep_untimed(&format!("{cell}, not timed"), &untimed, &mut measured.rows)?;
+    }
+    for (number, group) in groups(ready, variants).into_iter().enumerate() {
         if bench.cancel.load(Ordering::Relaxed) {
-            break;
+            group.iter().for_each(|(place, _)| put_interrupted(&mut measured.rows[*place]));
+            continue;
         }
-        time(group, reference, scene, order, bench, &mut measured)?;
+        let piece = cell.map(|cell| format!("{cell}, group {number}"));
+        time(group, reference, scene, order, bench, &mut measured, piece.as_deref())?;
     }
     Ok(measured)
 }
@@ -168,7 +181,7 @@ fn checked(variant: &'static Variant, scene: &Scene, row: &mut Row) -> Result<Co
     }
 }
 
-/// Measures one group and writes its figures into the rows.
+/// Measures one group and writes its figures into the rows, or takes the rows that were kept.
 fn time(
     group: Vec<(usize, Contestant)>,
     reference: &'static Variant,
@@ -176,13 +189,20 @@ fn time(
     order: Order,
     bench: &mut Bench<'_>,
     measured: &mut Measured,
-) -> Result<(), ProtocolError> {
+    piece: Option<&str>,
+) -> Result<(), Trouble> {
     let (places, mut contestants): (Vec<usize>, Vec<Contestant>) = group.into_iter().unzip();
+    if let Some(piece) = piece
+        && bench.take_back(piece, &places, &mut measured.rows)?
+    {
+        bench.pass_over(places.len());
+        return Ok(());
+    }
     add_controls(&mut contestants, reference, scene);
     let subjects = contestants.len();
     let report = bench.measure(&mut contestants, order, scene.facts.seed)?;
-    for (place, figures) in places.into_iter().zip(report.figures) {
-        let row = &mut measured.rows[place];
+    for (place, figures) in places.iter().zip(report.figures) {
+        let row = &mut measured.rows[*place];
         let ok = std::mem::take(&mut row.status);
         put_figures(row, &figures, &ok);
         row.ratio_placebo = report.placebo_floor.map(f64::exp);
@@ -191,6 +211,10 @@ fn time(
             row.reason = format!("{subjects} kernels x {} pairs {BEYOND}", scene.rays.len());
         }
         measured.figures.push(figures);
+    }
+    // The rows of this group are final now.
+    if let Some(piece) = piece.filter(|_| !report.cancelled) {
+        bench.keep_piece(piece, &places, &measured.rows)?;
     }
     Ok(())
 }

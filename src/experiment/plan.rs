@@ -1,6 +1,7 @@
 //! What an experiment will do, and how long it will take, before it does it.
 
 use super::cells::{CONTROLS, MOST_SUBJECTS};
+use super::codes::USUAL_EXITS;
 use super::config::{ConfigError, Experiment};
 use super::select::select;
 use super::workload::Workload;
@@ -96,7 +97,7 @@ impl Plan {
         };
         if let Workload::Codes(codes) = &self.experiment.workload {
             // Up to six exits and the chain.
-            return ready * codes.orders.len() * group(3);
+            return ready * codes.orders.len() * group(USUAL_EXITS);
         }
         if matches!(self.experiment.workload, Workload::Arithmetic) {
             return group(units().len());

@@ -92,6 +92,12 @@ pub fn put_figures(row: &mut Row, figures: &Figures, ok: &str) {
     row.ratio_second_half = figures.ratio_second_half.as_ref().map(|ratio| ratio.estimate);
 }
 
+/// Says of a row that its turn had not come when the run was interrupted.
+pub fn put_interrupted(row: &mut Row) {
+    row.status = "not-measured".into();
+    row.reason = "interrupted before its turn".into();
+}
+
 /// The thesis's column: how much slower the mean of a kernel's row over the densities is than the
 /// smallest such mean, within each order, in percent. A row with a density missing has none.
 pub fn put_percent_slower(rows: &mut [Row]) {
