@@ -133,7 +133,7 @@ fn what_differs_is_refused_by_name_and_nothing_is_touched() {
     tampered("\"machine\":\"", "\"machine\":\"x", &["another machine", "'x"]);
     tampered("\"binary\":\"", "\"binary\":\"x", &["another binary", "'x"]);
     tampered("\"workload_hash\":\"", "\"workload_hash\":\"x", &["workload_hash", "'x", "now"]);
-    tampered("\"rounds\":", "\"rounds\":-", &["rows.ndjson", "line", "rounds"]);
+    tampered("\"tests\":60", "\"tests\":-60", &["rows.ndjson", "line 2", "tests"]);
     fs::write(&journal, &text).expect("ours");
     let config = place.path("pairs.toml");
     let changed = fs::read_to_string(&config).expect("ours").replace("0.25", "0.75");
