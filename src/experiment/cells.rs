@@ -8,7 +8,7 @@ use super::run::Trouble;
 use super::scene::Scene;
 use crate::measure::{
     Chain, Clock, Contestant, Disturbance, EmptyLoop, Figures, GroupReport, Order, Progress,
-    Protocol, ProtocolError, Role, Surroundings, measure_group,
+    Protocol, ProtocolError, Role, Status, Surroundings, measure_group,
 };
 use crate::registry::{self, Variant};
 use crate::table::Row;
@@ -205,10 +205,12 @@ fn time(
         let row = &mut measured.rows[*place];
         let ok = std::mem::take(&mut row.status);
         put_figures(row, &figures, &ok);
-        row.ratio_placebo = report.placebo_floor.map(f64::exp);
-        row.empty_loop_share = figures.empty_loop_ratio;
-        if order == Order::Fixed && beyond_prediction(scene, subjects) {
-            row.reason = format!("{subjects} kernels x {} pairs {BEYOND}", scene.rays.len());
+        if figures.status == Status::Ok {
+            row.ratio_placebo = report.placebo_floor.map(f64::exp);
+            row.empty_loop_share = figures.empty_loop_ratio;
+            if order == Order::Fixed && beyond_prediction(scene, subjects) {
+                row.reason = format!("{subjects} kernels x {} pairs {BEYOND}", scene.rays.len());
+            }
         }
         measured.figures.push(figures);
     }
