@@ -214,8 +214,8 @@ fn time(
         }
         measured.figures.push(figures);
     }
-    // The rows of this group are final now.
-    if let Some(piece) = piece.filter(|_| !report.cancelled) {
+    // The rows of this group are final now, if nothing cut its measuring short.
+    if let Some(piece) = piece.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {
         bench.keep_piece(piece, &places, &measured.rows)?;
     }
     Ok(())

@@ -161,6 +161,7 @@ pub fn without_clock(rows: &[Row]) -> Vec<Row> {
 /// Asserts that two runs have the same rows in the same order, but for what the clock says.
 pub fn assert_same(now: &[Row], before: &[Row], when: &str) {
     assert_eq!(now.len(), before.len(), "{when}");
+    assert!(now.iter().all(|row| !row.reason.starts_with("interrupted")), "{when}");
     for (now, before) in without_clock(now).iter().zip(&without_clock(before)) {
         assert_eq!(now.difference(before), None, "{when}: {}", now.id);
     }
