@@ -1,25 +1,36 @@
 //! Experiments from TOML to rows, on a clock that tells what it is told.
 #![cfg(feature = "cli")]
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use ray_test::experiment::{Bench, Experiment, Outcome, Plan, run};
+use ray_test::experiment::{Bench, Experiment, Keep, KeepNothing, Outcome, Plan, run};
 use ray_test::measure::{NoCounters, Remember, ScriptedClock, Undisturbed};
-use ray_test::table::Row;
+use ray_test::table::{Row, TableError};
 
 /// Runs an experiment in 16 rounds; every reading of the clock is a block after the one before.
 fn rows(text: &str, cancelled: bool) -> Outcome {
+    run_until(text, if cancelled { 0 } else { usize::MAX }, &mut KeepNothing)
+}
+
+/// The same, cancelled after so many blocks.
+fn run_until(text: &str, blocks: usize, keep: &mut dyn Keep) -> Outcome {
     let experiment = Experiment::parse("test.toml", text).expect("the test's own text");
     let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
-    let cancel = AtomicBool::new(cancelled);
+    let cancel = AtomicBool::new(blocks == 0);
+    let mut done = 0;
+    let mut progress = |more| {
+        done += more;
+        cancel.store(done >= blocks, Ordering::Relaxed);
+    };
     let mut bench = Bench {
         rounds: 16,
         clock: &mut ScriptedClock::new(60_000),
         disturbance: &mut Undisturbed,
         counters: &mut NoCounters,
         forget: &mut Remember,
-        progress: &mut |_| {},
+        progress: &mut progress,
         cancel: &cancel,
+        keep,
     };
     run(&plan, &mut bench).expect("a workload that can be drawn")
 }
@@ -129,6 +140,74 @@ fn codes_are_counted_and_add_up() {
 fn a_cancelled_run_begins_nothing() {
     let outcome = rows(&pairs("'^moller1/f32/single/sse2/early/last/plain/t$'", ""), true);
     assert!(outcome.interrupted && outcome.rows.is_empty());
+}
+
+/// Keeps pieces in memory.
+#[derive(Default)]
+struct Memory(Vec<(String, Vec<Row>)>);
+
+impl Keep for Memory {
+    fn kept(&self, piece: &str) -> Option<Vec<Row>> {
+        self.0.iter().find(|(name, _)| name == piece).map(|(_, rows)| rows.clone())
+    }
+
+    fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {
+        assert_eq!(self.kept(piece), None, "{piece} is kept twice");
+        self.0.push((piece.to_owned(), rows.to_owned()));
+        Ok(())
+    }
+}
+
+/// On a clock that only counts its readings, a run that went on has even the times of one that was
+/// never interrupted.
+#[test]
+fn an_interrupted_run_goes_on_where_it_was() {
+    let two_groups = "'^(moller[0-3]|badouel|wald)/f32/single/sse2/early/[a-z]+/plain/t(uv)?$', \
+        '^keidy/f32/single/sse2/early/last/plain/tuv/query=point$'";
+    let priced = "'^moller1/f32/single/sse2/early/last/plain/t(/priced=dot(-control)?)?$'";
+    for text in [pairs(two_groups, ""), pairs(priced, "")] {
+        let mut whole = Memory::default();
+        let undisturbed = run_until(&text, usize::MAX, &mut whole);
+        assert_eq!(
+            whole.0.iter().map(|(_, rows)| rows.len()).sum::<usize>(),
+            undisturbed.rows.len()
+        );
+        for blocks in [1, 100, 300, 700] {
+            let mut memory = Memory::default();
+            let interrupted = run_until(&text, blocks, &mut memory);
+            assert!(interrupted.interrupted && memory.0.len() < whole.0.len(), "{blocks}");
+            assert_eq!(memory.0, whole.0[..memory.0.len()], "{blocks}");
+            let unmeasured = interrupted.rows.iter().filter(|row| row.status == "not-measured");
+            assert!(unmeasured.clone().all(|row| row.reason.starts_with("interrupted")));
+            let gone_on = run_until(&text, usize::MAX, &mut memory);
+            assert!(gone_on.rows == undisturbed.rows && !gone_on.interrupted, "{blocks}");
+            assert!(memory.0 == whole.0, "{blocks}");
+        }
+    }
+}
+
+#[test]
+fn rows_of_another_workload_are_refused() {
+    let text = pairs("'^moller1/f32/single/sse2/early/last/plain/t$'", "");
+    let mut memory = Memory::default();
+    run_until(&text, usize::MAX, &mut memory);
+    memory.0[0].1[0].workload_hash = "f00d".into();
+    let experiment = Experiment::parse("test.toml", &text).expect("the test's own text");
+    let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
+    let mut bench = Bench {
+        rounds: 16,
+        clock: &mut ScriptedClock::new(60_000),
+        disturbance: &mut Undisturbed,
+        counters: &mut NoCounters,
+        forget: &mut Remember,
+        progress: &mut |_| {},
+        cancel: &AtomicBool::new(false),
+        keep: &mut memory,
+    };
+    let refused = run(&plan, &mut bench).err().expect("another workload").to_string();
+    for part in ["test", "cell 0", "workload_hash", "'f00d'", "now '"] {
+        assert!(refused.contains(part), "no '{part}' in: {refused}");
+    }
 }
 
 #[test]

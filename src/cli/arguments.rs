@@ -69,7 +69,7 @@ pub struct Thesis {
 pub enum Verb {
     /// Run experiments from TOML files
     #[command(
-        after_help = "Example:\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine"
+        after_help = "Examples:\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine --resume\n\nEnvironment:\n  RAY_TEST_LOCK  file that keeps two runs from measuring at once [default: ray_test.lock in the folder for temporary files]"
     )]
     Run(Run),
     /// Run every built-in experiment
@@ -124,7 +124,8 @@ pub struct Batch {
     /// Processor to measure on: `auto` for the quietest, `off` for any, or its number
     #[arg(long, default_value_t = Pin::Auto)]
     pub pin: Pin,
-    /// Go on with an interrupted run in the folder of --out
+    /// Go on with an interrupted run in the folder of --out; experiment, --profile, --filter,
+    /// program and machine must be the same
     #[arg(long, requires = "out")]
     pub resume: bool,
 }

@@ -6,9 +6,9 @@ use std::time::{Duration, Instant};
 
 use super::arguments::{Batch, Reproduce, Run};
 use super::failure::Failure;
-use super::folder::{Folder, Source, built_in_sources};
+use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
-use super::{interrupt, progress};
+use super::{interrupt, lock, progress, unfinished};
 use crate::experiment::{
     Experiment, Plan, Profile, SECONDS_PER_BLOCK, Workload, pattern_of, run as run_plan,
 };
@@ -39,21 +39,27 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     if batch.dry_run {
         return dry_run(&plans, profile);
     }
+    let _lock = lock::take()?;
     let (instruments, environment) = Instruments::set_up(batch.pin);
     let hash = config_hash(&plans, &sources, batch, &environment);
-    let folder = Folder::new(batch.out.as_deref(), hash, environment);
-    let finished = plans
+    let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
+    let before = plans
         .iter()
-        .map(|plan| if batch.resume { folder.finished(&plan.experiment.id) } else { Ok(None) });
-    let finished = finished.collect::<Result<Vec<_>, _>>()?;
+        .map(|plan| if batch.resume { folder.before(plan) } else { Ok(Before::Nothing) });
+    let before = before.collect::<Result<Vec<_>, _>>()?;
     folder.create()?;
+    if batch.resume {
+        folder.tidy(&plans);
+    } else {
+        folder.begin_anew(&plans)?;
+    }
     eprintln!(
         "{} experiments, about {} s; results in {}",
         plans.len(),
         plans.iter().map(|plan| estimate(plan, profile).total()).sum::<f64>().ceil(),
         folder.path().display()
     );
-    measure(&plans, finished, batch, &folder, instruments)
+    measure(&plans, before, batch, &folder, instruments)
 }
 
 fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
@@ -146,10 +152,9 @@ fn dry_run(plans: &[Plan], profile: Profile) -> Result<(), Failure> {
 }
 
 /// Runs plan by plan; each is saved when it is done, and saved as unfinished when interrupted.
-/// `finished` has, of those that are, the variants that were wrong.
 fn measure(
     plans: &[Plan],
-    finished: Vec<Option<Vec<String>>>,
+    before: Vec<Before>,
     batch: &Batch,
     folder: &Folder,
     mut instruments: Instruments,
@@ -158,30 +163,44 @@ fn measure(
     let cancel = interrupt::flag();
     let bar = progress::bar(plans.iter().map(|plan| plan.blocks(profile)).sum());
     let mut wrong: Vec<String> = Vec::new();
-    for (plan, finished) in plans.iter().zip(finished) {
+    for (plan, before) in plans.iter().zip(before) {
         let id = plan.experiment.id.clone();
-        if let Some(before) = finished {
+        if let Before::Finished(before) = before {
             wrong.extend(before.iter().map(|variant| format!("{id}: {variant}")));
             bar.inc(plan.blocks(profile) as u64);
             eprintln!("{id}: finished before");
             continue;
         }
+        if cancel.load(Ordering::Relaxed) {
+            return Err(interrupted(folder));
+        }
         bar.set_message(id.clone());
         let start = Instant::now();
+        let mut keeper = folder.begin(plan, before)?;
         let mut progress = |blocks: usize| bar.inc(blocks as u64);
-        let outcome =
-            run_plan(plan, &mut instruments.bench(profile.rounds(), &mut progress, cancel))?;
+        let bench = &mut instruments.bench(profile.rounds(), &mut progress, cancel, &mut keeper);
+        let outcome = run_plan(plan, bench)?;
         let figures = folder.save(plan, &outcome)?;
         bar.suspend(|| said(&id, &outcome, figures.len(), start.elapsed()));
         wrong.extend(outcome.wrong.iter().map(|variant| format!("{id}: {variant}")));
-        if cancel.load(Ordering::Relaxed) {
-            eprintln!("what was measured is in {}; --resume goes on", folder.path().display());
-            return Err(Failure::Interrupted);
+        if outcome.interrupted {
+            bar.finish_and_clear();
+            // Everything is saved: a stdout that is closed does not change what came of it.
+            let _ = unfinished::print_rows(&outcome.rows, &folder.table(plan));
+            return Err(interrupted(folder));
         }
     }
     bar.finish_and_clear();
     writeln!(std::io::stdout(), "{}", folder.path().display())?;
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Wrong(wrong)) }
+}
+
+/// Says how to go on.
+fn interrupted(folder: &Folder) -> Failure {
+    let arguments = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
+    let command = unfinished::resume_command(arguments, folder.path());
+    eprintln!("what was measured is saved; to go on:\n  {command}");
+    Failure::Interrupted
 }
 
 /// A line per experiment, on stderr.
@@ -200,7 +219,14 @@ fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Du
     );
 }
 
-/// What must be the same for a run to be gone on with: experiments, profile, filter, build, machine.
+/// What rows depend on besides experiment, program and machine.
+fn settings(batch: &Batch) -> String {
+    let profile = format!("--profile {:?}", batch.profile).to_lowercase();
+    let filter = batch.filter.as_ref().map(|filter| format!(" --filter {filter}"));
+    profile + filter.as_deref().unwrap_or("")
+}
+
+/// Of everything that tells runs apart: experiments, profile, filter, build, machine.
 fn config_hash(plans: &[Plan], sources: &[Source], batch: &Batch, here: &Environment) -> u64 {
     let mut hash = Fnv::default();
     for plan in plans {

@@ -7,17 +7,20 @@ use serde_json::{Map, Value, json};
 use super::arguments::{Doctor, Format};
 use super::failure::Failure;
 use super::instruments::Instruments;
-use super::{interrupt, progress};
+use super::{interrupt, lock, progress};
 use crate::doctor::{
     AaTrials, DoctorError, Examination, InjectedTrials, aa_trials, advice, injected_trials,
 };
-use crate::experiment::Profile;
+use crate::experiment::{KeepNothing, Profile};
 use crate::measure::{Environment, Order};
 
 const ORDERS: [Order; 3] = [Order::Literal, Order::Fixed, Order::Reshuffled];
 
 /// Sizes of an injected slow-down that count as right: within so much of the truth.
 const SIZE_ERROR: f64 = 0.003;
+
+/// What was found, in the order in which it is printed.
+type Facts = Vec<(String, Value)>;
 
 /// Examines the machine, and with `--self-test` the verdicts.
 pub fn run(arguments: &Doctor) -> Result<(), Failure> {
@@ -28,10 +31,11 @@ pub fn run(arguments: &Doctor) -> Result<(), Failure> {
             arguments.inject
         )));
     }
+    let _lock = lock::take()?;
     let (mut instruments, environment) = Instruments::set_up(arguments.pin);
     let cancel = interrupt::flag();
-    let mut silent = |_: usize| {};
-    let mut bench = instruments.bench(Profile::Quick.rounds(), &mut silent, cancel);
+    let (mut silent, mut keep) = (|_: usize| {}, KeepNothing);
+    let mut bench = instruments.bench(Profile::Quick.rounds(), &mut silent, cancel, &mut keep);
     let found = Examination::of_this_machine(&mut bench)?;
     let mut facts = facts(&found, &environment);
     if arguments.self_test {
@@ -56,12 +60,12 @@ pub fn run(arguments: &Doctor) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What was found, in the order in which it is printed.
-fn facts(found: &Examination, environment: &Environment) -> Map<String, Value> {
+/// What the examination and the environment tell.
+fn facts(found: &Examination, environment: &Environment) -> Facts {
     let machine = &environment.machine;
     let predictor = found.predictor.as_ref();
-    let mut facts = Map::new();
-    let mut put = |key: &str, value: Value| facts.insert(key.to_owned(), value);
+    let mut facts = Facts::new();
+    let mut put = |key: &str, value: Value| facts.push((key.to_owned(), value));
     put("processor", json!(machine.processor));
     put("testbed_id", json!(environment.testbed_id));
     put("logical_cpus", json!(machine.logical_cpus));
@@ -98,16 +102,16 @@ fn percent(share: f64) -> f64 {
     share * 100.0
 }
 
-fn put_aa(facts: &mut Map<String, Value>, order: Order, trials: &AaTrials) {
-    let mut put = |key: &str, value: Value| facts.insert(format!("aa_{order}_{key}"), value);
+fn put_aa(facts: &mut Facts, order: Order, trials: &AaTrials) {
+    let mut put = |key: &str, value: Value| facts.push((format!("aa_{order}_{key}"), value));
     put("comparisons", json!(trials.comparisons));
     put("different", json!(trials.different));
     put("same", json!(trials.same));
     put("largest_percent", json!(percent(trials.largest)));
 }
 
-fn put_injected(facts: &mut Map<String, Value>, injected: &InjectedTrials) {
-    let mut put = |key: &str, value: Value| facts.insert(format!("injected_{key}"), value);
+fn put_injected(facts: &mut Facts, injected: &InjectedTrials) {
+    let mut put = |key: &str, value: Value| facts.push((format!("injected_{key}"), value));
     put("percent", json!(percent(injected.share)));
     put("trials", json!(injected.trials.len()));
     put("found", json!(injected.found()));
@@ -116,7 +120,7 @@ fn put_injected(facts: &mut Map<String, Value>, injected: &InjectedTrials) {
     put("median_percent", json!(crate::stats::median(&sizes).map(percent)));
 }
 
-fn print(facts: &Map<String, Value>, format: Format) -> Result<(), Failure> {
+fn print(facts: &Facts, format: Format) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     let text = |value: &Value| match value {
         Value::Null => String::new(),
@@ -129,15 +133,16 @@ fn print(facts: &Map<String, Value>, format: Format) -> Result<(), Failure> {
     };
     match format {
         Format::Json => {
-            let json = serde_json::to_string_pretty(facts)
+            let object: Map<String, Value> = facts.iter().cloned().collect();
+            let json = serde_json::to_string_pretty(&object)
                 .map_err(|error| Failure::Runtime(error.into()))?;
             writeln!(out, "{json}")?;
         }
         Format::Csv => {
             let failed = |error: ::csv::Error| Failure::Runtime(error.into());
             let mut writer = ::csv::Writer::from_writer(out);
-            writer.write_record(facts.keys()).map_err(failed)?;
-            writer.write_record(facts.values().map(text)).map_err(failed)?;
+            writer.write_record(facts.iter().map(|(key, _)| key)).map_err(failed)?;
+            writer.write_record(facts.iter().map(|(_, value)| text(value))).map_err(failed)?;
             writer.flush()?;
         }
         Format::Text => {
@@ -148,7 +153,9 @@ fn print(facts: &Map<String, Value>, format: Format) -> Result<(), Failure> {
                 };
                 writeln!(out, "{:<32}{value}", key.replace('_', " "))?;
             }
-            writeln!(out, "\n{}", facts.get("advice").map(text).unwrap_or_default())?;
+            for (_, advice) in facts.iter().filter(|(key, _)| key == "advice") {
+                writeln!(out, "\n{}", text(advice))?;
+            }
         }
     }
     Ok(())

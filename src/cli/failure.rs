@@ -1,5 +1,7 @@
 //! What went wrong, and the exit code for it.
 
+use crate::experiment::{KeepError, Trouble};
+
 /// A failure with its exit code.
 #[derive(Debug)]
 pub enum Failure {
@@ -60,7 +62,12 @@ impl From<crate::table::TableError> for Failure {
 
 impl From<crate::experiment::RunError> for Failure {
     fn from(error: crate::experiment::RunError) -> Self {
-        Failure::Runtime(error.into())
+        match *error.trouble {
+            Trouble::Keep(KeepError::Changed { .. }) => {
+                Failure::Usage(format!("--resume: {error}"))
+            }
+            _ => Failure::Runtime(error.into()),
+        }
     }
 }
 

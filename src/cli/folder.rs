@@ -5,10 +5,14 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::failure::Failure;
+use super::unfinished::Keeper;
 use crate::chart::{Published, draw};
 use crate::experiment::{Experiment, Outcome, Plan};
-use crate::measure::{Environment, now_rfc3339};
-use crate::table::{RunFile, SCHEMA_VERSION, read_json, write_atomically, write_csv, write_json};
+use crate::measure::{BuildInfo, Environment, now_rfc3339};
+use crate::table::{
+    Header, Journaled, RunFile, RunKey, SCHEMA_VERSION, read_journal, read_json,
+    remove_partial_files, write_atomically, write_csv, write_json,
+};
 use crate::workload::hash::Fnv;
 
 /// The experiments under `configs/`, as file name and text; made by the build script.
@@ -38,19 +42,35 @@ pub fn built_in() -> Result<Vec<(String, Experiment)>, Failure> {
 pub struct Folder {
     path: PathBuf,
     environment: Environment,
-    /// Tells runs of other files, profiles and filters apart.
-    config_hash: u64,
+    /// What rows depend on besides experiment, program and machine: profile and filter, as text.
+    settings: String,
+}
+
+/// What there is of an experiment before it runs.
+pub enum Before {
+    /// Nothing.
+    Nothing,
+    /// All of it; the variants that were wrong.
+    Finished(Vec<String>),
+    /// What was measured until it was interrupted.
+    Begun(Journaled),
 }
 
 impl Folder {
-    /// The folder; nothing is written yet.
-    pub fn new(out: Option<&Path>, config_hash: u64, environment: Environment) -> Self {
+    /// The folder; nothing is written yet. The hash tells runs of other files, profiles and
+    /// filters apart where `out` does not.
+    pub fn new(
+        out: Option<&Path>,
+        config_hash: u64,
+        environment: Environment,
+        settings: String,
+    ) -> Self {
         let default = || {
             let time = now_rfc3339().replace([':', '-'], "");
             PathBuf::from("results").join(format!("{time}-{:08x}", config_hash as u32))
         };
         let path = out.map_or_else(default, Path::to_path_buf);
-        Folder { path, environment, config_hash }
+        Folder { path, environment, settings }
     }
 
     /// Creates it and finds out whether it can be written, before anything runs.
@@ -78,24 +98,32 @@ impl Folder {
         &self.path
     }
 
-    /// If an experiment was finished in this folder before: the variants that were wrong in it.
+    fn file(&self, id: &str, name: &str) -> PathBuf {
+        self.path.join(id).join(name)
+    }
+
+    /// What there is of an experiment in this folder.
     ///
     /// # Errors
-    /// Usage, if it was finished with another configuration, build or machine.
-    pub fn finished(&self, id: &str) -> Result<Option<Vec<String>>, Failure> {
-        let file = self.path.join(id).join("rows.json");
-        let Ok(run) = read_json(&file) else { return Ok(None) };
-        let hash = run.environment.get(CONFIG_HASH).and_then(Value::as_str).unwrap_or("");
-        if hash != self.hash_text() {
-            return Err(Failure::Usage(format!(
-                "--resume: {} was made with another {CONFIG_HASH} ({hash}, now {}); allowed: the \
-                 same experiments, --profile, --filter, build and machine, or another --out",
-                file.display(),
-                self.hash_text()
-            )));
+    /// Usage, if it was measured with another configuration, program or machine, or if its journal
+    /// is broken.
+    pub fn before(&self, plan: &Plan) -> Result<Before, Failure> {
+        let id = &plan.experiment.id;
+        let file = self.file(id, JOURNAL);
+        // A journal is there until everything else is; it outlasts even a finished file of before.
+        let journal = read_journal(&file);
+        let journal = journal.map_err(|error| Failure::Usage(format!("--resume: {error}")))?;
+        if let Some(journal) = journal {
+            self.refuse_others(&file, &journal.header.run_key, plan)?;
+            return Ok(Before::Begun(journal));
         }
+        let file = self.file(id, ROWS);
+        let Ok(run) = read_json(&file) else { return Ok(Before::Nothing) };
+        let key = run.environment.get(RUN_KEY).cloned();
+        let key = key.and_then(|key| serde_json::from_value(key).ok()).unwrap_or_default();
+        self.refuse_others(&file, &key, plan)?;
         if run.environment.get(COMPLETE).and_then(Value::as_bool) != Some(true) {
-            return Ok(None);
+            return Ok(Before::Nothing);
         }
         let mut wrong: Vec<String> = Vec::new();
         for row in run.rows.iter().filter(|row| row.status == "wrong-result") {
@@ -103,39 +131,105 @@ impl Folder {
                 wrong.push(row.id.clone());
             }
         }
-        Ok(Some(wrong))
+        Ok(Before::Finished(wrong))
     }
 
-    fn hash_text(&self) -> String {
-        format!("{:016x}", self.config_hash)
+    fn refuse_others(&self, file: &Path, key: &RunKey, plan: &Plan) -> Result<(), Failure> {
+        let now = self.key(plan);
+        let Some((part, before, now)) = key.difference(&now) else { return Ok(()) };
+        Err(Failure::Usage(format!(
+            "--resume: {} was made with another {part} ('{before}', now '{now}'); allowed: the \
+             same experiment, --profile, --filter, program and machine, or another --out",
+            file.display()
+        )))
     }
 
-    /// Writes rows and figures of an experiment; returns the figures' paths.
+    /// What must be the same for an experiment to be gone on with.
+    fn key(&self, plan: &Plan) -> RunKey {
+        let mut hash = Fnv::default();
+        hash.bytes(plan.experiment.text.as_bytes());
+        RunKey {
+            config: format!("text {:016x} {}", hash.finish(), self.settings),
+            binary: binary(&self.environment.build),
+            machine: self.environment.testbed_id.clone(),
+        }
+    }
+
+    /// Before a run goes on: removes what a killed one was writing.
+    pub fn tidy(&self, plans: &[Plan]) {
+        remove_partial_files(&self.path);
+        plans.iter().for_each(|plan| remove_partial_files(&self.path.join(&plan.experiment.id)));
+    }
+
+    /// Before a run begins where another one was: nothing of that one counts as finished any more.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn begin_anew(&self, plans: &[Plan]) -> Result<(), Failure> {
+        for plan in plans {
+            let id = &plan.experiment.id;
+            if [JOURNAL, ROWS].into_iter().any(|name| self.file(id, name).exists()) {
+                self.begin(plan, Before::Nothing)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Begins the journal of an experiment, with what there is of it.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn begin(&self, plan: &Plan, before: Before) -> Result<Keeper, Failure> {
+        let (id, seed) = (&plan.experiment.id, plan.experiment.seed);
+        std::fs::create_dir_all(self.path.join(id))?;
+        let contents = match before {
+            Before::Begun(journaled) => journaled,
+            Before::Nothing | Before::Finished(_) => {
+                Journaled { header: Header::new(self.key(plan), id, seed), pieces: Vec::new() }
+            }
+        };
+        Ok(Keeper::begin(&self.file(id, JOURNAL), contents)?)
+    }
+
+    /// The table of an experiment.
+    pub fn table(&self, plan: &Plan) -> PathBuf {
+        self.file(&plan.experiment.id, TABLE)
+    }
+
+    /// Writes the rows of an experiment, and its figures once it is finished, whose journal is
+    /// then removed; returns the figures' paths.
     ///
     /// # Errors
     /// When a file cannot be written or a figure not be drawn.
     pub fn save(&self, plan: &Plan, outcome: &Outcome) -> Result<Vec<PathBuf>, Failure> {
-        let folder = self.path.join(&plan.experiment.id);
-        std::fs::create_dir_all(&folder)?;
-        write_csv(&folder.join("rows.csv"), &outcome.rows)?;
+        let id = &plan.experiment.id;
+        write_csv(&self.table(plan), &outcome.rows)?;
+        let figures = if outcome.interrupted { Vec::new() } else { self.draw(plan, outcome)? };
+        // Last: it says that the experiment is complete.
+        write_json(&self.file(id, ROWS), &self.run_file(plan, outcome)?)?;
+        if !outcome.interrupted {
+            std::fs::remove_file(self.file(id, JOURNAL))?;
+        }
+        Ok(figures)
+    }
+
+    fn draw(&self, plan: &Plan, outcome: &Outcome) -> Result<Vec<PathBuf>, Failure> {
         let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
         let mut figures = Vec::new();
         for figure in &plan.experiment.figure {
             let svg = draw(figure, &outcome.rows, &published)
                 .map_err(|error| Failure::Runtime(error.into()))?;
-            let file = folder.join(format!("{}.svg", figure.file));
+            let file = self.file(&plan.experiment.id, &format!("{}.svg", figure.file));
             write_atomically(&file, svg.as_bytes())?;
             figures.push(file);
         }
-        // Last: it says that the experiment is complete.
-        write_json(&folder.join("rows.json"), &self.run_file(plan, outcome)?)?;
         Ok(figures)
     }
 
     fn run_file(&self, plan: &Plan, outcome: &Outcome) -> Result<RunFile, Failure> {
         let mut environment = serde_json::to_value(&self.environment)
             .map_err(|error| Failure::Runtime(error.into()))?;
-        environment[CONFIG_HASH] = json!(self.hash_text());
+        environment[RUN_KEY] = json!(self.key(plan));
         environment[COMPLETE] = json!(!outcome.interrupted);
         let mut hash = Fnv::default();
         for row in &outcome.rows {
@@ -151,5 +245,24 @@ impl Folder {
     }
 }
 
-const CONFIG_HASH: &str = "config_hash";
+/// The program in one line: what tells builds apart.
+fn binary(build: &BuildInfo) -> String {
+    let known = |text: &Option<String>| text.clone().unwrap_or_else(|| "unknown".to_owned());
+    format!(
+        "{} commit {}, {}, {} {} opt-level {}{}, flags '{}'",
+        build.version,
+        known(&build.commit),
+        known(&build.compiler),
+        known(&build.target),
+        known(&build.profile),
+        known(&build.opt_level),
+        if build.debug_assertions { " with assertions" } else { "" },
+        build.flags.as_deref().unwrap_or("")
+    )
+}
+
+const TABLE: &str = "rows.csv";
+const ROWS: &str = "rows.json";
+const JOURNAL: &str = "rows.ndjson";
+const RUN_KEY: &str = "run_key";
 const COMPLETE: &str = "complete";

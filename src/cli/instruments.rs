@@ -1,6 +1,6 @@
 //! What measuring needs of this machine, set up once per run.
 
-use crate::experiment::{Bench, Distraction};
+use crate::experiment::{Bench, Distraction, Keep};
 use crate::level::levels;
 use crate::measure::{
     Counters, Environment, HardwareCounters, InvoluntarySwitches, NoCounters, Pin, WallClock, pin,
@@ -36,12 +36,13 @@ impl Instruments {
         (Instruments { clock, disturbance, counters, forget }, environment)
     }
 
-    /// A bench for groups of so many rounds.
+    /// A bench for groups of so many rounds, whose rows go to `keep`.
     pub fn bench<'a>(
         &'a mut self,
         rounds: usize,
         progress: &'a mut dyn FnMut(usize),
         cancel: &'a AtomicBool,
+        keep: &'a mut dyn Keep,
     ) -> Bench<'a> {
         Bench {
             rounds,
@@ -51,6 +52,7 @@ impl Instruments {
             forget: &mut self.forget,
             progress,
             cancel,
+            keep,
         }
     }
 }

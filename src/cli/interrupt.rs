@@ -1,5 +1,7 @@
-//! Ctrl-C: the first finishes what is being measured and saves it, the second ends at once.
+//! Ctrl-C, or being told to end: the first finishes the present block and saves what was measured,
+//! the second ends at once.
 
+use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static CANCEL: AtomicBool = AtomicBool::new(false);
@@ -12,7 +14,8 @@ pub fn flag() -> &'static AtomicBool {
         if CANCEL.swap(true, Ordering::Relaxed) {
             std::process::exit(130);
         }
-        eprintln!("finishing the present round; again to end at once");
+        // Where the terminal has gone, there is nobody to tell; that must not stop the saving.
+        let _ = writeln!(std::io::stderr(), "finishing the present block; again to end at once");
     });
     &CANCEL
 }

@@ -8,10 +8,12 @@ mod folder;
 mod instruments;
 mod interrupt;
 mod list;
+mod lock;
 mod progress;
 mod show;
 mod slices;
 mod thesis;
+mod unfinished;
 
 use std::process::ExitCode;
 

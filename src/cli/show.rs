@@ -67,7 +67,7 @@ fn cell(value: &Value) -> String {
 }
 
 /// A value as people read it: four significant digits are more than any interval here supports.
-fn rounded(value: &Value) -> String {
+pub fn rounded(value: &Value) -> String {
     match value.as_f64() {
         Some(0.0) => "0".to_owned(),
         Some(number) if value.is_f64() => {

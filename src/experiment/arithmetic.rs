@@ -2,8 +2,9 @@
 
 use super::cells::Bench;
 use super::rows::put_group;
+use super::run::Trouble;
 use crate::batch::OPERATIONS;
-use crate::measure::{BuildInfo, Chain, Contestant, Order, ProtocolError, Role};
+use crate::measure::{BuildInfo, Chain, Contestant, Order, Role};
 use crate::registry::units;
 use crate::table::Row;
 
@@ -11,8 +12,8 @@ use crate::table::Row;
 /// refer to the first unit, the narrowest.
 ///
 /// # Errors
-/// A group that cannot be measured.
-pub fn run(experiment: &str, seed: u64, bench: &mut Bench<'_>) -> Result<Vec<Row>, ProtocolError> {
+/// A group that cannot be measured or kept.
+pub fn run(experiment: &str, seed: u64, bench: &mut Bench<'_>) -> Result<Vec<Row>, Trouble> {
     let mut rows = Vec::new();
     let mut contestants = Vec::new();
     let mut places = Vec::new();
@@ -42,10 +43,21 @@ pub fn run(experiment: &str, seed: u64, bench: &mut Bench<'_>) -> Result<Vec<Row
         }
         rows.push(row);
     }
+    let all: Vec<usize> = (0..rows.len()).collect();
+    if bench.take_back(PIECE, &all, &mut rows)? {
+        bench.pass_over(places.len());
+        return Ok(rows);
+    }
     contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
     let report = bench.measure(&mut contestants, Order::Fixed, seed)?;
     for (place, figures) in places.into_iter().zip(&report.figures) {
         put_group(&mut rows[place], figures, &report, "ok");
     }
+    if !report.cancelled {
+        bench.keep_piece(PIECE, &all, &rows)?;
+    }
     Ok(rows)
 }
+
+/// All units are one group.
+const PIECE: &str = "units";

@@ -3,12 +3,15 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::calls;
+use super::keep::Keep;
 use super::limits::least_cycles;
-use super::rows::{blank, outputs_hash, put_group, put_judgement};
+use super::rows::{blank, outputs_hash, put_group, put_interrupted, put_judgement};
+use super::run::Trouble;
 use super::scene::Scene;
 use crate::measure::{
     Chain, Clock, Contestant, Counters, Disturbance, EmptyLoop, Figures, Forget, GroupReport,
-    Order, PREDICTED_TESTS, Progress, Protocol, ProtocolError, Role, Surroundings, measure_group,
+    Order, PREDICTED_TESTS, Progress, Protocol, ProtocolError, Role, Status, Surroundings,
+    measure_group,
 };
 use crate::registry::{self, Variant};
 use crate::table::Row;
@@ -39,6 +42,8 @@ pub struct Bench<'a> {
     pub progress: &'a mut dyn FnMut(usize),
     /// Once true, nothing more is begun.
     pub cancel: &'a AtomicBool,
+    /// Where rows go as soon as they are final.
+    pub keep: &'a mut dyn Keep,
 }
 
 impl Bench<'_> {
@@ -95,10 +100,11 @@ pub struct Measured {
 }
 
 /// Runs a cell. Variants of levels that this processor lacks become rows with status `skipped`,
-/// wrong ones rows with status `wrong-result`, and neither is timed.
+/// wrong ones rows with status `wrong-result`, and neither is timed. The rows of each group are
+/// kept under the name `cell`; where that is `None`, whoever calls keeps the whole.
 ///
 /// # Errors
-/// A group that cannot be measured.
+/// A group that cannot be measured or kept.
 pub fn run(
     experiment: &str,
     variants: &[&'static Variant],
@@ -106,7 +112,8 @@ pub fn run(
     scene: &Scene,
     order: Order,
     bench: &mut Bench<'_>,
-) -> Result<Measured, ProtocolError> {
+    cell: Option<&str>,
+) -> Result<Measured, Trouble> {
     let mut measured = Measured { rows: Vec::new(), figures: Vec::new(), wrong: Vec::new() };
     let mut ready: Vec<(usize, Contestant)> = Vec::new();
     for variant in variants {
@@ -121,11 +128,18 @@ pub fn run(
         }
         measured.rows.push(row);
     }
-    for group in groups(ready, variants) {
+    if let Some(cell) = cell.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {
+        let timed = |place: &usize| ready.iter().any(|(other, _)| other == place);
+        let untimed: Vec<usize> = (0..measured.rows.len()).filter(|place| !timed(place)).collect();
+        bench.keep_untimed(&format!("{cell}, not timed"), &untimed, &mut measured.rows)?;
+    }
+    for (number, group) in groups(ready, variants).into_iter().enumerate() {
         if bench.cancel.load(Ordering::Relaxed) {
-            break;
+            group.iter().for_each(|(place, _)| put_interrupted(&mut measured.rows[*place]));
+            continue;
         }
-        time(group, reference, scene, order, bench, &mut measured)?;
+        let piece = cell.map(|cell| format!("{cell}, group {number}"));
+        time(group, reference, scene, order, bench, &mut measured, piece.as_deref())?;
     }
     Ok(measured)
 }
@@ -209,7 +223,7 @@ fn checked(variant: &'static Variant, scene: &Scene, row: &mut Row) -> Result<Co
     }
 }
 
-/// Measures one group and writes its figures into the rows.
+/// Measures one group and writes its figures into the rows, or takes the rows that were kept.
 fn time(
     group: Vec<(usize, Contestant)>,
     reference: &'static Variant,
@@ -217,8 +231,15 @@ fn time(
     order: Order,
     bench: &mut Bench<'_>,
     measured: &mut Measured,
-) -> Result<(), ProtocolError> {
+    piece: Option<&str>,
+) -> Result<(), Trouble> {
     let (places, mut contestants): (Vec<usize>, Vec<Contestant>) = group.into_iter().unzip();
+    if let Some(piece) = piece
+        && bench.take_back(piece, &places, &mut measured.rows)?
+    {
+        bench.pass_over(places.len());
+        return Ok(());
+    }
     let subjects = contestants.len();
     add_controls(&mut contestants, reference, scene);
     let report = bench.measure(&mut contestants, order, scene.facts.seed)?;
@@ -226,12 +247,16 @@ fn time(
         let row = &mut measured.rows[*place];
         let ok = std::mem::take(&mut row.status);
         put_group(row, figures, &report, &ok);
-        if order == Order::Fixed {
+        if order == Order::Fixed && figures.status == Status::Ok {
             mark_forgotten(row, scene);
         }
     }
     calls::measure(contestants, &places, order, scene.facts.seed, bench, &mut measured.rows)?;
     measured.figures.extend(report.figures.into_iter().take(subjects));
+    // The rows of this group are final now, if nothing cut its measuring short.
+    if let Some(piece) = piece.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {
+        bench.keep_piece(piece, &places, &measured.rows)?;
+    }
     Ok(())
 }
 

@@ -6,6 +6,7 @@ use std::sync::atomic::Ordering;
 
 use super::cells::{Bench, Measured};
 use super::rows::{of_variant, put_group};
+use super::run::Trouble;
 use super::scene::reported;
 use super::workload::CodesWorkload;
 use crate::accuracy::{Truth, judge};
@@ -23,32 +24,24 @@ struct Exit {
     triangles: Vec<Triangle>,
 }
 
+/// Exits that a listing has more often than not, for estimates.
+pub const USUAL_EXITS: usize = 3;
+
 /// How many pairs are drawn, told apart and forgotten at a time.
 const BATCH: usize = 1 << 14;
-
-/// Why codes cannot be told or timed.
-#[derive(Debug, thiserror::Error)]
-pub enum CodesError {
-    /// The pairs cannot be drawn.
-    #[error(transparent)]
-    Workload(#[from] WorkloadError),
-    /// A group cannot be measured.
-    #[error(transparent)]
-    Protocol(#[from] crate::measure::ProtocolError),
-}
 
 /// A row per listing, code and order. A listing that decides a pair in a way that neither rounding
 /// nor its own epsilon explains is wrong, and is not timed.
 ///
 /// # Errors
-/// As drawing and measuring.
+/// As drawing, measuring and keeping.
 pub fn run(
     experiment: &str,
     variants: &[&'static Variant],
     workload: &CodesWorkload,
     seed: u64,
     bench: &mut Bench<'_>,
-) -> Result<Measured, CodesError> {
+) -> Result<Measured, Trouble> {
     let mut measured = Measured { rows: Vec::new(), figures: Vec::new(), wrong: Vec::new() };
     for variant in variants {
         if bench.cancel.load(Ordering::Relaxed) {
@@ -59,6 +52,8 @@ pub fn run(
             row.status = "skipped".into();
             row.reason = reason;
             measured.rows.push(row);
+            let place = measured.rows.len() - 1;
+            bench.keep_untimed(&variant.id(), &[place], &mut measured.rows)?;
             continue;
         }
         let (exits, wrong) = sort(variant, workload, seed)?;
@@ -170,7 +165,8 @@ fn says_parallel(variant: &Variant, code: u8) -> bool {
     meaning.is_some_and(|meaning| meaning.starts_with('|') && meaning.ends_with("eps"))
 }
 
-/// Times the exits of a listing side by side and adds a row for each.
+/// Times the exits of a listing side by side and adds a row for each, or takes those that were
+/// kept.
 fn time(
     variant: &'static Variant,
     exits: &BTreeMap<u8, Exit>,
@@ -179,38 +175,54 @@ fn time(
     (pairs, seed): (usize, u64),
     bench: &mut Bench<'_>,
     rows: &mut Vec<Row>,
-) -> Result<(), CodesError> {
+) -> Result<(), Trouble> {
+    let first = rows.len();
+    rows.extend(exits.iter().map(|(code, exit)| of_exit(variant, *code, exit, row, order, pairs)));
+    let piece = format!("{} {order}", row.id);
+    let all: Vec<usize> = (first..rows.len()).collect();
+    if bench.take_back(&piece, &all, rows)? {
+        bench.pass_over(USUAL_EXITS);
+        return Ok(());
+    }
     let mut places = Vec::new();
     let mut contestants = Vec::new();
-    for (code, exit) in exits {
-        let meant = |index: usize| variant.about.codes.get(index).copied().unwrap_or("");
-        rows.push(Row {
-            code: Some(u64::from(*code)),
-            calls: Some(exit.calls),
-            hits: (*code == 0).then_some(exit.calls),
-            share: Some(exit.calls as f64 / pairs as f64),
-            order: order.word().into(),
-            reason: if *code == 0 { "hit" } else { meant(usize::from(*code) - 1) }.into(),
-            workload_hash: format!("{:016x}", hash::workload(&exit.rays, &exit.triangles)),
-            ..row.clone()
-        });
+    for ((code, exit), place) in exits.iter().zip(&all) {
         if row.status == "ok"
             && !exit.rays.is_empty()
             && let Some(bind) = &variant.pairs
         {
             let role = if *code == 0 { Role::Reference } else { Role::Subject };
             let job = bind(&exit.rays, &exit.triangles);
-            places.push(rows.len() - 1);
+            places.push(*place);
             contestants.push(Contestant::new(format!("code {code}"), role, job));
         }
     }
-    if contestants.is_empty() {
-        return Ok(());
+    let mut is_final = true;
+    if !contestants.is_empty() {
+        contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
+        let report = bench.measure(&mut contestants, order, seed)?;
+        for (place, figures) in places.into_iter().zip(&report.figures) {
+            put_group(&mut rows[place], figures, &report, "ok");
+        }
+        is_final = !report.cancelled;
     }
-    contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
-    let report = bench.measure(&mut contestants, order, seed)?;
-    for (place, figures) in places.into_iter().zip(&report.figures) {
-        put_group(&mut rows[place], figures, &report, "ok");
+    if is_final {
+        bench.keep_piece(&piece, &all, rows)?;
     }
     Ok(())
+}
+
+/// The row of an exit before it is timed.
+fn of_exit(variant: &Variant, code: u8, exit: &Exit, row: &Row, order: Order, pairs: usize) -> Row {
+    let meant = |index: usize| variant.about.codes.get(index).copied().unwrap_or("");
+    Row {
+        code: Some(u64::from(code)),
+        calls: Some(exit.calls),
+        hits: (code == 0).then_some(exit.calls),
+        share: Some(exit.calls as f64 / pairs as f64),
+        order: order.word().into(),
+        reason: if code == 0 { "hit" } else { meant(usize::from(code) - 1) }.into(),
+        workload_hash: format!("{:016x}", hash::workload(&exit.rays, &exit.triangles)),
+        ..row.clone()
+    }
 }

@@ -38,6 +38,9 @@ pub struct Experiment {
     /// What is drawn.
     #[serde(default)]
     pub figure: Vec<Figure>,
+    /// The text that it was read from.
+    #[serde(skip)]
+    pub text: String,
 }
 
 fn seed() -> u64 {
@@ -55,8 +58,9 @@ impl Experiment {
     /// One message that says where, what and what is allowed.
     pub fn parse(origin: &str, text: &str) -> Result<Self, ConfigError> {
         let wrong = |message: String| ConfigError { origin: origin.to_owned(), message };
-        let experiment: Experiment =
+        let mut experiment: Experiment =
             toml::from_str(text).map_err(|error| wrong(error.to_string()))?;
+        experiment.text = text.to_owned();
         experiment.validate().map_err(wrong)?;
         Ok(experiment)
     }

@@ -2,6 +2,7 @@
 
 use super::calls::CALL_CONTROLS;
 use super::cells::{CONTROLS, MOST_SUBJECTS};
+use super::codes::USUAL_EXITS;
 use super::config::{ConfigError, Experiment};
 use super::select::select;
 use super::workload::Workload;
@@ -98,7 +99,7 @@ impl Plan {
         let ready = ready.count();
         if let Workload::Codes(codes) = &self.experiment.workload {
             // Up to six exits and the chain.
-            return ready * codes.orders.len() * rounds(3 + CONTROLS);
+            return ready * codes.orders.len() * rounds(USUAL_EXITS + CONTROLS);
         }
         if matches!(self.experiment.workload, Workload::Arithmetic) {
             return rounds(units().len() + CONTROLS);

@@ -84,9 +84,9 @@ pub fn put_group(row: &mut Row, figures: &Figures, report: &GroupReport, ok: &st
     match &figures.status {
         Status::Ok => row.status = ok.into(),
         Status::Invalid(reason) => {
-            let interrupted = matches!(reason, Invalid::NoRound);
-            row.status = if interrupted { "not-measured" } else { "invalid" }.into();
-            row.verdict = if interrupted { "" } else { "invalid" }.into();
+            let missing = matches!(reason, Invalid::NoRound | Invalid::Interrupted { .. });
+            row.status = if missing { "not-measured" } else { "invalid" }.into();
+            row.verdict = if missing { "" } else { "invalid" }.into();
             row.reason = reason.to_string();
             return;
         }
@@ -132,6 +132,12 @@ fn put_comparison(row: &mut Row, figures: &Figures) {
             row.more_rounds = more_rounds;
         }
     }
+}
+
+/// Says of a row that its turn had not come when the run was interrupted.
+pub fn put_interrupted(row: &mut Row) {
+    row.status = "not-measured".into();
+    row.reason = "interrupted before its turn".into();
 }
 
 /// The thesis's column: how much slower the mean of a kernel's row over the densities is than the

@@ -3,12 +3,12 @@
 use std::sync::atomic::Ordering;
 
 use super::cells::{self, Bench, Measured};
-use super::codes::{self, CodesError};
+use super::keep::KeepError;
 use super::plan::Plan;
 use super::rows::put_percent_slower;
 use super::scene::Scene;
 use super::workload::Workload;
-use super::{arithmetic, counts, points, prices};
+use super::{arithmetic, codes, counts, points, prices};
 use crate::measure::{Order, ProtocolError};
 use crate::table::Row;
 use crate::workload::WorkloadError;
@@ -26,71 +26,94 @@ pub struct Outcome {
 
 /// Why an experiment cannot be run to its end.
 #[derive(Debug, thiserror::Error)]
-pub enum RunError {
-    /// A workload cannot be drawn.
-    #[error("{experiment}: {source}")]
-    Workload {
-        /// The experiment.
-        experiment: String,
-        /// Why.
-        source: WorkloadError,
-    },
-    /// A group cannot be measured.
-    #[error("{experiment}: {source}")]
-    Protocol {
-        /// The experiment.
-        experiment: String,
-        /// Why.
-        source: ProtocolError,
-    },
+#[error("{experiment}: {trouble}")]
+pub struct RunError {
+    /// The experiment.
+    pub experiment: String,
+    /// Why.
+    pub trouble: Box<Trouble>,
 }
 
-/// Runs all cells; stops between cells once cancelled.
+/// What can go wrong on the way.
+#[derive(Debug, thiserror::Error)]
+pub enum Trouble {
+    /// A workload cannot be drawn.
+    #[error(transparent)]
+    Workload(#[from] WorkloadError),
+    /// A group cannot be measured.
+    #[error(transparent)]
+    Protocol(#[from] ProtocolError),
+    /// Rows cannot be kept, or those that were kept not be taken back.
+    #[error(transparent)]
+    Keep(#[from] KeepError),
+}
+
+/// Runs all cells; ends with the block that is being measured once cancelled.
 ///
 /// # Errors
-/// For workloads that cannot be drawn and groups that cannot be measured.
+/// For workloads that cannot be drawn, groups that cannot be measured, and rows that cannot be
+/// kept or are of another workload.
 pub fn run(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, RunError> {
-    let experiment = &plan.experiment;
-    let workload_error = |source| RunError::Workload { experiment: experiment.id.clone(), source };
-    let protocol_error = |source| RunError::Protocol { experiment: experiment.id.clone(), source };
+    let experiment = || plan.experiment.id.clone();
+    run_all(plan, bench)
+        .map_err(|trouble| RunError { experiment: experiment(), trouble: Box::new(trouble) })
+}
+
+fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
+    let (id, seed) = (&plan.experiment.id, plan.experiment.seed);
     let mut outcome = Outcome::default();
-    match &experiment.workload {
-        Workload::Counts => {
-            let rows = counts::rows(&experiment.id, experiment.seed);
-            outcome.rows = rows.map_err(workload_error)?;
-        }
+    match &plan.experiment.workload {
+        // Counted, not measured: nothing that needs to be kept.
+        Workload::Counts => outcome.rows = counts::rows(id, seed)?,
         Workload::Codes(codes) => {
-            let measured =
-                codes::run(&experiment.id, &plan.variants, codes, experiment.seed, bench).map_err(
-                    |error| match error {
-                        CodesError::Workload(source) => workload_error(source),
-                        CodesError::Protocol(source) => protocol_error(source),
-                    },
-                )?;
-            outcome.take(measured);
+            outcome.take(codes::run(id, &plan.variants, codes, seed, bench)?);
         }
-        Workload::Arithmetic => {
-            let rows = arithmetic::run(&experiment.id, experiment.seed, bench);
-            outcome.rows = rows.map_err(protocol_error)?;
-        }
+        Workload::Arithmetic => outcome.rows = arithmetic::run(id, seed, bench)?,
         _ => {
-            for (density, order) in plan.cells() {
+            for (number, (density, order)) in plan.cells().into_iter().enumerate() {
                 if bench.cancel.load(Ordering::Relaxed) {
                     break;
                 }
-                let scene = scene(plan, density, order).map_err(workload_error)?;
-                let (id, variants) = (&experiment.id, &plan.variants);
-                let mut measured = cells::run(id, variants, plan.reference, &scene, order, bench)
-                    .map_err(protocol_error)?;
-                let priced = prices::rows(&measured.rows, &measured.figures, variants);
-                measured.rows.extend(priced);
-                outcome.take(measured);
+                let scene = scene(plan, density, order)?;
+                let density = density.map_or(String::new(), |density| format!(" {density}"));
+                // The number alone would do; the rest is for whoever reads the journal.
+                let cell = format!("cell {number} {order}{density}");
+                outcome.take(run_cell(plan, &scene, order, bench, &cell)?);
             }
         }
     }
     finish(plan, &mut outcome.rows);
     outcome.interrupted = bench.cancel.load(Ordering::Relaxed);
     Ok(outcome)
+}
+
+/// Runs a cell. One with priced forms is one piece, since prices are made of all its samples.
+fn run_cell(
+    plan: &Plan,
+    scene: &Scene,
+    order: Order,
+    bench: &mut Bench<'_>,
+    cell: &str,
+) -> Result<Measured, Trouble> {
+    let (id, variants) = (&plan.experiment.id, &plan.variants);
+    let has_prices = variants.iter().any(|variant| !variant.axes.priced.is_empty());
+    if !has_prices {
+        return cells::run(id, variants, plan.reference, scene, order, bench, Some(cell));
+    }
+    if let Some(rows) = bench.take_cell(cell, scene.facts.hash)? {
+        bench.pass_over(variants.len());
+        let wrong = rows.iter().filter(|row| row.status == "wrong-result");
+        let wrong = wrong.map(|row| row.id.clone()).collect();
+        return Ok(Measured { rows, figures: Vec::new(), wrong });
+    }
+    let mut measured = cells::run(id, variants, plan.reference, scene, order, bench, None)?;
+    let priced = prices::rows(&measured.rows, &measured.figures, variants);
+    measured.rows.extend(priced);
+    if !bench.cancel.load(Ordering::Relaxed) {
+        let all: Vec<usize> = (0..measured.rows.len()).collect();
+        bench.keep_piece(cell, &all, &measured.rows)?;
+    }
+    Ok(measured)
 }
 
 impl Outcome {

@@ -40,9 +40,15 @@ pub enum Invalid {
         /// Cycles that its operations need at least.
         least: f64,
     },
-    /// It was not measured: cancelled early, or every round was disturbed.
+    /// It was not measured: every round was disturbed.
     #[error("no undisturbed round was measured")]
     NoRound,
+    /// Cancelled before there were enough rounds for figures that stand.
+    #[error("interrupted after {rounds} undisturbed rounds")]
+    Interrupted {
+        /// Clean rounds until then.
+        rounds: usize,
+    },
 }
 
 /// Whether the figures stand.

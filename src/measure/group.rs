@@ -37,7 +37,7 @@ pub struct Surroundings<'a> {
     pub forget: &'a mut dyn Forget,
     /// Called between blocks, never inside a timed window.
     pub progress: &'a mut dyn FnMut(Progress),
-    /// Once true, the present round is the last.
+    /// Once true, the present block is the last, and the round that it is of is dropped.
     pub cancel: &'a AtomicBool,
 }
 

@@ -49,6 +49,9 @@ pub(super) fn report(
     let mut figures: Vec<Figures> =
         runners.iter().map(|runner| figures_of(runner, &controls, rounds)).collect();
     put_decisions(&mut figures, &controls, protocol.margin.max(floor));
+    if rounds.cancelled && rounds.clean < Protocol::LEAST_ROUNDS {
+        withhold(&mut figures, &Invalid::Interrupted { rounds: rounds.clean });
+    }
     let number = runners.len();
     GroupReport {
         placebo_floor: placebo_floor(&figures),
@@ -59,6 +62,15 @@ pub(super) fn report(
         dirty_rounds: rounds.dirty,
         planned_ns: protocol.planned_ns(number),
         cancelled: rounds.cancelled,
+    }
+}
+
+/// Marks figures as ones that do not stand, whose own reasons are no better.
+fn withhold(figures: &mut [Figures], reason: &Invalid) {
+    for figures in figures.iter_mut() {
+        if matches!(figures.status, Status::Ok | Status::Invalid(Invalid::NoRound)) {
+            figures.status = Status::Invalid(reason.clone());
+        }
     }
 }
 

@@ -173,8 +173,8 @@ mod tests {
     #[test]
     fn what_cannot_be_judged() {
         let good = member(&[0.0; 8]);
-        assert!(decide(&[good.clone()], 0.0).is_none());
-        assert!(decide(&[good.clone()], f64::NAN).is_none());
+        assert!(decide(std::slice::from_ref(&good), 0.0).is_none());
+        assert!(decide(std::slice::from_ref(&good), f64::NAN).is_none());
         assert!(decide(&[(good.0, vec![])], 0.01).is_none());
         assert!(decide(&[(good.0, vec![f64::NAN; 8])], 0.01).is_none());
         assert_eq!(decide(&[], 0.01), Some(vec![]));

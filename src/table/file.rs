@@ -28,8 +28,23 @@ fn temporary_name(path: &Path) -> io::Result<PathBuf> {
         .file_name()
         .ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"))?;
     let count = COUNTER.fetch_add(1, Ordering::Relaxed);
-    let unique = format!(".{}.{}-{count}.partial", name.to_string_lossy(), std::process::id());
+    let unique = format!(".{}.{}-{count}{PARTIAL}", name.to_string_lossy(), std::process::id());
     Ok(path.with_file_name(unique))
+}
+
+/// How the names of temporary files end; they begin with a dot.
+const PARTIAL: &str = ".partial";
+
+/// Removes the temporary files that a program which was killed has left in a folder; nobody else
+/// may be writing there. What cannot be removed stays, and harms nobody.
+pub fn remove_partial_files(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        if name.starts_with('.') && name.ends_with(PARTIAL) {
+            fs::remove_file(entry.path()).ok();
+        }
+    }
 }
 
 fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {

@@ -46,12 +46,9 @@ pub fn read_json(path: &Path) -> Result<RunFile, TableError> {
     let text =
         std::fs::read(path).map_err(|source| TableError::Io { file: path.to_owned(), source })?;
     let raw: Raw = serde_json::from_slice(&text).map_err(|error| syntax(path, &error))?;
-    let major = |version: &str| version.split('.').next().map(str::to_owned);
-    if major(&raw.schema_version) != major(SCHEMA_VERSION) {
-        let (file, found) = (path.to_owned(), raw.schema_version);
-        return Err(TableError::Schema { file, found, allowed: SCHEMA_VERSION });
-    }
-    let rows = raw.rows.iter().enumerate().map(|(index, cells)| row(path, index + 1, cells));
+    version_is_known(path, &raw.schema_version)?;
+    let rows = raw.rows.iter().enumerate();
+    let rows = rows.map(|(index, cells)| row(path, format!("row {}", index + 1), cells));
     Ok(RunFile {
         rows: rows.collect::<Result<_, _>>()?,
         schema_version: raw.schema_version,
@@ -61,7 +58,22 @@ pub fn read_json(path: &Path) -> Result<RunFile, TableError> {
     })
 }
 
-fn row(path: &Path, number: usize, cells: &Map<String, Value>) -> Result<Row, TableError> {
+/// Refuses a version whose form this program does not know.
+pub(super) fn version_is_known(path: &Path, found: &str) -> Result<(), TableError> {
+    let major = |version: &str| version.split('.').next().map(str::to_owned);
+    if major(found) == major(SCHEMA_VERSION) {
+        return Ok(());
+    }
+    let (file, found) = (path.to_owned(), found.to_owned());
+    Err(TableError::Schema { file, found, allowed: SCHEMA_VERSION })
+}
+
+/// The row of an object; `place` is where it stands.
+pub(super) fn row(
+    path: &Path,
+    place: String,
+    cells: &Map<String, Value>,
+) -> Result<Row, TableError> {
     if let Some(column) = COLUMNS[..REQUIRED].iter().find(|column| !cells.contains_key(**column)) {
         return Err(TableError::MissingColumn { file: path.to_owned(), column });
     }
@@ -72,9 +84,8 @@ fn row(path: &Path, number: usize, cells: &Map<String, Value>) -> Result<Row, Ta
             Value::String(text) => text.clone(),
             other => other.to_string(),
         };
-        row.set(column, &text).map_err(|allowed| {
-            TableError::cell(path, format!("row {number}"), column, &text, allowed)
-        })?;
+        row.set(column, &text)
+            .map_err(|allowed| TableError::cell(path, place.clone(), column, &text, allowed))?;
     }
     Ok(row)
 }

@@ -4,17 +4,25 @@
 //! Nothing right of here can run a kernel, nothing left of here can draw.
 
 mod cell;
+mod clock;
 mod csv;
 mod file;
+mod journal;
+#[cfg(test)]
+mod journal_tests;
 mod json;
+mod key;
 mod row;
 #[cfg(test)]
 mod tests;
 
 pub use self::csv::{read_csv, write_csv};
 pub use cell::Cell;
-pub use file::write_atomically;
+pub use clock::CLOCK_COLUMNS;
+pub use file::{remove_partial_files, write_atomically};
+pub use journal::{Header, Journal, Journaled, read_journal};
 pub use json::{RunFile, SCHEMA_VERSION, read_json, write_json};
+pub use key::RunKey;
 pub use row::{COLUMNS, REQUIRED, Row};
 
 use std::io;
@@ -54,7 +62,7 @@ pub enum TableError {
     Cell {
         /// The file.
         file: PathBuf,
-        /// `line 7` of a CSV file, `row 6` of a JSON file.
+        /// `line 7` of a CSV file or a journal, `row 6` of a JSON file.
         place: String,
         /// The column.
         column: String,

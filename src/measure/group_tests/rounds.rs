@@ -168,21 +168,29 @@ fn a_machine_that_is_never_quiet_is_given_up() {
 }
 
 #[test]
-fn cancelling_keeps_what_was_measured() {
+fn cancelling_ends_with_the_block_and_keeps_whole_rounds() {
     let script = Script::default();
-    let mut group = usual(&script, 1000);
-    let cancel = AtomicBool::new(false);
-    // In the middle of the seventh round.
-    let mut progress = |p: Progress| cancel.store(p.done_blocks >= 32, Ordering::Relaxed);
     let fixed = protocol(Order::Fixed);
-    let report =
-        measure_with(&mut group, &fixed, &script, &mut Undisturbed, &mut progress, &cancel);
-    assert!(report.cancelled);
-    // The seventh round is not finished, and dropped.
-    assert_eq!((report.rounds, report.planned_rounds), (6, 20));
-    assert_eq!(report.figures[2].samples, [8.0; 6]);
-    assert!(is_near(report.figures[2].ratio_to_reference, 2.0));
-    assert_eq!(report.figures[2].ratio_first_half, None);
+    // In the middle of the tenth round, and of the seventh: too early for figures that stand.
+    for (block, rounds, stands) in [(47, 9, true), (32, 6, false)] {
+        let mut group = usual(&script, 1000);
+        let cancel = AtomicBool::new(false);
+        let mut done = 0;
+        let mut progress = |p: Progress| {
+            done = p.done_blocks;
+            cancel.store(done >= block, Ordering::Relaxed);
+        };
+        let report =
+            measure_with(&mut group, &fixed, &script, &mut Undisturbed, &mut progress, &cancel);
+        assert!(report.cancelled);
+        assert_eq!((done, report.rounds, report.planned_rounds), (block, rounds, 20));
+        assert_eq!(report.figures[2].samples, vec![8.0; rounds]);
+        assert!(is_near(report.figures[2].ratio_to_reference, 2.0));
+        assert_eq!(report.figures[2].ratio_first_half, None);
+        let interrupted = Status::Invalid(Invalid::Interrupted { rounds });
+        let status = if stands { Status::Ok } else { interrupted };
+        assert!(report.figures.iter().all(|f| f.status == status), "{block}");
+    }
 }
 
 #[test]

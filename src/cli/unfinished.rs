@@ -1,0 +1,140 @@
+//! Runs that are not finished: their journal, and what is said of them.
+
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::arguments::Format;
+use super::failure::Failure;
+use super::show::{Sheet, print, rounded};
+use crate::experiment::Keep;
+use crate::table::{Journal, Journaled, Row, TableError};
+
+/// A journal, with what it held when the run was gone on with.
+pub struct Keeper {
+    journal: Journal,
+    before: BTreeMap<String, Vec<Row>>,
+}
+
+impl Keeper {
+    /// Begins the journal of an experiment, with what was kept of it before.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn begin(path: &Path, before: Journaled) -> Result<Self, TableError> {
+        let journal = Journal::begin(path, &before)?;
+        Ok(Keeper { journal, before: before.pieces.into_iter().collect() })
+    }
+}
+
+impl Keep for Keeper {
+    fn kept(&self, piece: &str) -> Option<Vec<Row>> {
+        self.before.get(piece).cloned()
+    }
+
+    fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {
+        self.journal.append(piece, rows)
+    }
+}
+
+/// Rows that are printed of an interrupted experiment.
+const MOST_ROWS: usize = 40;
+
+/// Prints what was measured of an interrupted experiment, and where all of it is.
+///
+/// # Errors
+/// When stdout cannot be written.
+pub fn print_rows(rows: &[Row], file: &Path) -> Result<(), Failure> {
+    let measured = rows.iter().filter(|row| row.ns_per_test.is_some() && row.price.is_none());
+    let measured: Vec<&Row> = measured.collect();
+    let shown = &measured[..measured.len().min(MOST_ROWS)];
+    let columns = ["id", "order", "density", "code", "ns_per_test", "cycles_per_test"];
+    let has = |column: &&str| shown.iter().any(|row| !value(row, column).is_null());
+    let columns: Vec<&'static str> = columns.into_iter().filter(has).collect();
+    let values = |row: &&Row| {
+        let mut values: Vec<Value> = columns.iter().map(|column| value(row, column)).collect();
+        values.push(json!(ratio(row)));
+        values
+    };
+    let sheet_rows = shown.iter().map(values).collect();
+    let mut sheet = Sheet { columns: columns.clone(), rows: sheet_rows };
+    sheet.columns.push("ratio");
+    if !shown.is_empty() {
+        print(&sheet, Format::Text)?;
+    }
+    let mut out = std::io::stdout().lock();
+    match measured.len() - shown.len() {
+        0 => writeln!(out, "{} rows in {}", measured.len(), file.display())?,
+        more => writeln!(out, "... and {more} more in {}", file.display())?,
+    }
+    Ok(())
+}
+
+fn value(row: &Row, column: &str) -> Value {
+    row.cell(column).map_or(Value::Null, |cell| json!(cell))
+}
+
+/// The ratio to the reference with its interval.
+fn ratio(row: &Row) -> String {
+    let text = |number: Option<f64>| number.map(|number| rounded(&json!(number)));
+    match (text(row.ratio_to_reference), text(row.ratio_low), text(row.ratio_high)) {
+        (Some(ratio), Some(low), Some(high)) => format!("{ratio} ({low} to {high})"),
+        (Some(ratio), ..) => ratio,
+        _ => String::new(),
+    }
+}
+
+/// The command that goes on with the run of these arguments in a folder.
+pub fn resume_command(arguments: impl Iterator<Item = String>, out: &Path) -> String {
+    let mut words: Vec<String> = arguments.collect();
+    if !words.iter().any(|word| word == "--out" || word.starts_with("--out=")) {
+        words.extend(["--out".to_owned(), out.display().to_string()]);
+    }
+    if !words.iter().any(|word| word == "--resume") {
+        words.push("--resume".to_owned());
+    }
+    words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" ")
+}
+
+/// A word as a shell takes it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "-_./=:,+@%".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', r"'\''"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_is_the_same_with_folder_and_resume() {
+        let command = |words: &str| {
+            let words = words.split(' ').map(str::to_owned);
+            resume_command(words, Path::new("results/it's"))
+        };
+        assert_eq!(
+            command("ray_test run a.toml --filter ^wald/"),
+            r"ray_test run a.toml --filter '^wald/' --out 'results/it'\''s' --resume"
+        );
+        for same in ["ray_test reproduce --out=x --resume", "ray_test run a b --resume --out x"] {
+            assert_eq!(command(same), same);
+        }
+    }
+
+    #[test]
+    fn a_ratio_has_its_interval() {
+        let row = Row {
+            ratio_to_reference: Some(1.23456),
+            ratio_low: Some(1.2),
+            ratio_high: Some(1.25),
+            ..Row::default()
+        };
+        assert_eq!(ratio(&row), "1.235 (1.200 to 1.250)");
+        assert_eq!(ratio(&Row::default()), "");
+    }
+}
