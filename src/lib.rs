@@ -94,6 +94,9 @@ pub mod table;
 pub mod chart;
 
 #[cfg(feature = "cli")]
+pub mod compare;
+
+#[cfg(feature = "cli")]
 pub mod experiment;
 
 #[cfg(feature = "cli")]

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
+use super::baseline::Baselines;
+use super::compare::Compare;
 use crate::experiment::Profile;
 use crate::measure::Order;
 use crate::workload::Generator;
@@ -80,6 +82,11 @@ pub enum Verb {
     /// Show kernels, variants, experiments, claims or levels
     #[command(after_help = "Example:\n  ray_test list variants --format csv")]
     List(List),
+    /// Hold two results against each other; exit 3 if something got worse
+    #[command(
+        after_help = "Examples:\n  ray_test compare results/before results/after\n  ray_test compare a/b-4.2/rows.json b/b-4.2/rows.json --threshold 5% --format markdown"
+    )]
+    Compare(Compare),
 }
 
 /// `ray_test run`
@@ -119,6 +126,9 @@ pub struct Batch {
     /// Go on with an interrupted run in the folder of --out
     #[arg(long, requires = "out")]
     pub resume: bool,
+    /// Results to keep or to be held against.
+    #[command(flatten)]
+    pub baselines: Baselines,
 }
 
 /// `ray_test list`
@@ -246,7 +256,7 @@ fn slip(word: &str) -> Option<String> {
     if word.parse::<f64>().is_ok() || word == "all" {
         return None;
     }
-    let here = ["run", "reproduce", "list", "help"];
+    let here = ["run", "reproduce", "list", "compare", "help"];
     let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
     if VERBS.contains(&word) && !here.contains(&word) {
         let known = known.join(", ");

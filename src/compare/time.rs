@@ -1,0 +1,229 @@
+//! What got slower.
+//!
+//! Two figures of a row stand for its time: its cycles, and its ratio to the reference of its
+//! group. Cycles are compared as they are. Ratios are compared only where the reference itself
+//! stayed what it was: a faster reference makes no other kernel slower.
+//!
+//! A change counts if its estimate is beyond the threshold and beyond the noise floor of both runs,
+//! its interval leaves 1 out, and both halves of the rounds are beyond the threshold, each by
+//! itself. "The same" is a finding too: the whole interval lies within the threshold, or within
+//! the floor where that is wider. Everything else is unresolved.
+//!
+//! All is reckoned in logarithms, so that swapping the sides changes signs and nothing else.
+
+use std::collections::HashMap;
+
+use super::finding::{Change, Judged};
+use super::side::Side;
+use super::threshold::Threshold;
+use crate::stats::median;
+use crate::table::Row;
+
+/// Least noise floor: saved cycles of one program differ by 0.14 to 0.26 % over fresh processes.
+const LEAST_FLOOR: f64 = 0.002;
+
+/// Cycles per test of the reference of each group; it may have no row of its own.
+pub(super) struct References(HashMap<Group, f64>);
+
+/// Experiment, workload, order, density (bits), and the listing where a row is about one of its
+/// codes: there each listing is measured against its own code 0.
+type Group = (String, String, String, Option<u64>, String);
+
+fn group(row: &Row) -> Group {
+    let listing = if row.code.is_some() { row.id.clone() } else { String::new() };
+    let density = row.density.map(f64::to_bits);
+    (row.experiment.clone(), row.workload.clone(), row.order.clone(), density, listing)
+}
+
+impl References {
+    /// From the rows of a side. A group of many rows was measured in several parts, each with the
+    /// reference in it; the median is the reference of all.
+    pub fn of(side: &Side) -> Self {
+        let mut cycles: HashMap<Group, Vec<f64>> = HashMap::new();
+        for row in side.rows().filter(|row| stands(row) && row.price.is_none()) {
+            if let (Some(own), Some(ratio)) =
+                (positive(row.cycles_per_test), positive(row.ratio_to_reference))
+            {
+                cycles.entry(group(row)).or_default().push(own / ratio);
+            }
+        }
+        let medians = cycles.into_iter().filter_map(|(group, all)| Some((group, median(&all)?)));
+        References(medians.collect())
+    }
+
+    fn ln(&self, row: &Row) -> Option<f64> {
+        self.0.get(&group(row)).map(|cycles| cycles.ln())
+    }
+}
+
+/// New over base, in logarithms.
+#[derive(Clone, Copy)]
+struct Quotient {
+    estimate: f64,
+    /// Ends of its interval.
+    interval: Option<(f64, f64)>,
+    /// The same from either half of the rounds alone.
+    halves: Option<(f64, f64)>,
+}
+
+/// What one figure says, what decides first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Outcome {
+    Changed,
+    /// Beyond the threshold, and not confirmed.
+    Unconfirmed,
+    Same,
+    /// Within the threshold, but the interval is not.
+    Wide,
+}
+
+/// Judges the time of a cell; `None` where there is no figure to judge by.
+pub(super) fn judge(
+    base: &Row,
+    new: &Row,
+    references: (&References, &References),
+    threshold: Threshold,
+) -> Option<Judged> {
+    if !stands(base) || !stands(new) {
+        return None;
+    }
+    let own_reference = is_reference(base) && is_reference(new);
+    let drift = references.1.ln(new).zip(references.0.ln(base)).map(|(new, base)| new - base);
+    let steady = drift.is_none_or(|drift| drift.abs() <= threshold.log());
+    let ratio = if steady && !own_reference { by_ratio(base, new) } else { None };
+    let figures = [
+        ("cycles_per_test", by_cycles(base, new, drift, own_reference)),
+        ("ratio_to_reference", ratio),
+    ];
+    let floor = noise_floor(base).max(noise_floor(new)).max(LEAST_FLOOR).ln_1p();
+    let outcomes = figures.into_iter().filter_map(|(figure, quotient)| {
+        let quotient = quotient?;
+        Some((outcome(quotient, threshold.log(), floor), figure, quotient))
+    });
+    // Of equals the first: cycles before ratios.
+    let (outcome, figure, quotient) = outcomes.min_by_key(|(outcome, ..)| *outcome)?;
+    let change = Change {
+        ratio: Some(quotient.estimate.exp()),
+        low: quotient.interval.map(|(low, _)| low.exp()),
+        high: quotient.interval.map(|(_, high)| high.exp()),
+        ..Change::of(figure, base, new)
+    };
+    Some(match outcome {
+        Outcome::Changed if quotient.estimate > 0.0 => Judged::Worse(change),
+        Outcome::Changed => Judged::Better(change),
+        Outcome::Same => Judged::Same,
+        Outcome::Unconfirmed | Outcome::Wide => Judged::Unresolved(change),
+    })
+}
+
+fn outcome(quotient: Quotient, threshold: f64, floor: f64) -> Outcome {
+    let sign = quotient.estimate.signum();
+    let beyond = |log: f64| sign * log > threshold;
+    let leaves_one_out = |(low, high): (f64, f64)| sign * low > 0.0 && sign * high > 0.0;
+    let confirmed = quotient.interval.is_some_and(leaves_one_out)
+        && quotient.halves.is_some_and(|(first, second)| beyond(first) && beyond(second));
+    let within = threshold.max(floor);
+    let inside = |(low, high): (f64, f64)| -within < low && high < within;
+    if beyond(quotient.estimate) && sign * quotient.estimate > floor && confirmed {
+        Outcome::Changed
+    } else if quotient.interval.is_some_and(inside) {
+        Outcome::Same
+    } else if beyond(quotient.estimate) {
+        Outcome::Unconfirmed
+    } else {
+        Outcome::Wide
+    }
+}
+
+/// Whether the figures of a row stand.
+fn stands(row: &Row) -> bool {
+    matches!(row.status.as_str(), "ok" | "inexact")
+}
+
+/// Whether a row is the reference of its group: then its ratio is 1 in every round.
+fn is_reference(row: &Row) -> bool {
+    let one = |ratio: Option<f64>| ratio.is_none_or(|ratio| ratio == 1.0);
+    let others = [row.ratio_low, row.ratio_high, row.ratio_first_half, row.ratio_second_half];
+    row.ratio_to_reference == Some(1.0) && others.into_iter().all(one)
+}
+
+/// What this row's group calls a difference, relative.
+fn noise_floor(row: &Row) -> f64 {
+    let placebo = || positive(row.ratio_placebo).map(|ratio| ratio.ln().abs());
+    row.noise_floor.or_else(placebo).unwrap_or(0.0)
+}
+
+fn by_ratio(base: &Row, new: &Row) -> Option<Quotient> {
+    let estimate = ln_quotient(base.ratio_to_reference, new.ratio_to_reference)?;
+    Some(Quotient {
+        estimate,
+        interval: ratio_interval(base, new, estimate),
+        halves: halves(base, new),
+    })
+}
+
+/// `drift` is the change of the reference's own cycles: what the halves, which are ratios, miss.
+fn by_cycles(base: &Row, new: &Row, drift: Option<f64>, own_reference: bool) -> Option<Quotient> {
+    let estimate = ln_quotient(base.cycles_per_test, new.cycles_per_test)?;
+    let has_ratio = !own_reference && base.ratio_to_reference.is_some();
+    if has_ratio && new.ratio_to_reference.is_some() {
+        let interval = ratio_interval(base, new, estimate);
+        let halves = halves(base, new).zip(drift).map(|((a, b), drift)| (a + drift, b + drift));
+        return Some(Quotient { estimate, interval, halves });
+    }
+    let ends = |row: &Row| (row.cycles_low, row.cycles_per_test, row.cycles_high);
+    let interval = if same_measurement(base, new) {
+        Some((estimate, estimate))
+    } else {
+        interval(ends(base), ends(new), estimate)
+    };
+    let halves = ln_quotient(base.cycles_first_half, new.cycles_first_half)
+        .zip(ln_quotient(base.cycles_second_half, new.cycles_second_half));
+    Some(Quotient { estimate, interval, halves })
+}
+
+fn ratio_interval(base: &Row, new: &Row, estimate: f64) -> Option<(f64, f64)> {
+    if same_measurement(base, new) {
+        return Some((estimate, estimate));
+    }
+    let ends = |row: &Row| (row.ratio_low, row.ratio_to_reference, row.ratio_high);
+    interval(ends(base), ends(new), estimate)
+}
+
+fn halves(base: &Row, new: &Row) -> Option<(f64, f64)> {
+    ln_quotient(base.ratio_first_half, new.ratio_first_half)
+        .zip(ln_quotient(base.ratio_second_half, new.ratio_second_half))
+}
+
+/// Whether two rows are one measurement and not two that agree: every figure of time is equal to
+/// the last bit. Then there is no chance between them.
+fn same_measurement(base: &Row, new: &Row) -> bool {
+    let figures = |row: &Row| {
+        let ratio = [row.ratio_to_reference, row.ratio_low, row.ratio_high];
+        let halves = [row.ratio_first_half, row.ratio_second_half];
+        (row.ns_per_test, row.min_ns, row.rounds, row.cycles_per_test, ratio, halves)
+    };
+    figures(base) == figures(new)
+}
+
+/// The interval of a quotient from (low, estimate, high) of either side, the widths relative to
+/// their estimates: each end is taken with the other side's opposite end, so that the interval
+/// covers wherever both sides' do. It holds the estimate, whatever was done to a file by hand.
+fn interval(
+    base: (Option<f64>, Option<f64>, Option<f64>),
+    new: (Option<f64>, Option<f64>, Option<f64>),
+    estimate: f64,
+) -> Option<(f64, f64)> {
+    let below = ln_quotient(new.1, new.0)? - ln_quotient(base.1, base.2)?;
+    let above = ln_quotient(new.1, new.2)? - ln_quotient(base.1, base.0)?;
+    Some((estimate + below.min(0.0), estimate + above.max(0.0)))
+}
+
+/// ln(new / base), which changes its sign exactly when the sides are swapped.
+fn ln_quotient(base: Option<f64>, new: Option<f64>) -> Option<f64> {
+    Some(positive(new)?.ln() - positive(base)?.ln())
+}
+
+fn positive(figure: Option<f64>) -> Option<f64> {
+    figure.filter(|figure| *figure > 0.0 && figure.is_finite())
+}
