@@ -74,6 +74,10 @@ impl Baselines {
                 let compared = report(&base, &new, self.threshold, CompareFormat::Text);
                 ended.and(compared)
             }
+            (Some(name), _) => {
+                eprintln!("not saved as baseline {name}: the run did not end well");
+                ended
+            }
             _ => ended,
         }
     }

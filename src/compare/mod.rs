@@ -12,6 +12,7 @@ mod cell;
 mod comparable;
 mod exactness;
 mod finding;
+mod group;
 mod side;
 #[cfg(test)]
 mod tests;
@@ -24,8 +25,8 @@ pub use threshold::{Threshold, ThresholdError};
 
 use cell::Matched;
 use finding::Judged;
+use group::References;
 use serde::Serialize;
-use time::References;
 
 /// What came of a comparison; as JSON, one object.
 #[derive(Clone, Debug, Serialize)]
@@ -87,14 +88,14 @@ fn judge(
     matched: &Matched<'_>,
     threshold: Threshold,
 ) {
-    let references = (References::of(base), References::of(new));
+    let references = References::of(base, new, &matched.pairs);
     for (old_row, new_row) in &matched.pairs {
         // The row of a price repeats the figures of its listing.
         if old_row.price.is_some() || new_row.price.is_some() {
             comparison.not_judged += 1;
             continue;
         }
-        let time = time::judge(old_row, new_row, (&references.0, &references.1), threshold);
+        let time = time::judge(old_row, new_row, &references, threshold);
         comparison.not_judged += usize::from(time.is_none());
         let place = Place::of(new_row);
         for judged in exactness::judge(old_row, new_row).into_iter().chain(time) {

@@ -9,52 +9,22 @@
 //! itself. "The same" is a finding too: the whole interval lies within the threshold, or within
 //! the floor where that is wider. Everything else is unresolved.
 //!
+//! The halves are ratios to the reference, also where cycles are judged. Cycles of a whole group
+//! can change by half between two runs of one program, when a neighbour comes to share the core,
+//! and both halves of the rounds see it: only what changes against others measured in the same
+//! rounds is a change of the code. So the reference, whose own ratio is always 1, is confirmed by
+//! the ratios of the others, which fall when it rises; alone in its group it is not confirmed. Nor
+//! is what makes a whole group slower at once.
+//!
 //! All is reckoned in logarithms, so that swapping the sides changes signs and nothing else.
 
-use std::collections::HashMap;
-
 use super::finding::{Change, Judged};
-use super::side::Side;
+use super::group::References;
 use super::threshold::Threshold;
-use crate::stats::median;
 use crate::table::Row;
 
 /// Least noise floor: saved cycles of one program differ by 0.14 to 0.26 % over fresh processes.
 const LEAST_FLOOR: f64 = 0.002;
-
-/// Cycles per test of the reference of each group; it may have no row of its own.
-pub(super) struct References(HashMap<Group, f64>);
-
-/// Experiment, workload, order, density (bits), and the listing where a row is about one of its
-/// codes: there each listing is measured against its own code 0.
-type Group = (String, String, String, Option<u64>, String);
-
-fn group(row: &Row) -> Group {
-    let listing = if row.code.is_some() { row.id.clone() } else { String::new() };
-    let density = row.density.map(f64::to_bits);
-    (row.experiment.clone(), row.workload.clone(), row.order.clone(), density, listing)
-}
-
-impl References {
-    /// From the rows of a side. A group of many rows was measured in several parts, each with the
-    /// reference in it; the median is the reference of all.
-    pub fn of(side: &Side) -> Self {
-        let mut cycles: HashMap<Group, Vec<f64>> = HashMap::new();
-        for row in side.rows().filter(|row| stands(row) && row.price.is_none()) {
-            if let (Some(own), Some(ratio)) =
-                (positive(row.cycles_per_test), positive(row.ratio_to_reference))
-            {
-                cycles.entry(group(row)).or_default().push(own / ratio);
-            }
-        }
-        let medians = cycles.into_iter().filter_map(|(group, all)| Some((group, median(&all)?)));
-        References(medians.collect())
-    }
-
-    fn ln(&self, row: &Row) -> Option<f64> {
-        self.0.get(&group(row)).map(|cycles| cycles.ln())
-    }
-}
 
 /// New over base, in logarithms.
 #[derive(Clone, Copy)]
@@ -62,7 +32,7 @@ struct Quotient {
     estimate: f64,
     /// Ends of its interval.
     interval: Option<(f64, f64)>,
-    /// The same from either half of the rounds alone.
+    /// What confirms it: the change from either half of the rounds alone.
     halves: Option<(f64, f64)>,
 }
 
@@ -81,18 +51,17 @@ enum Outcome {
 pub(super) fn judge(
     base: &Row,
     new: &Row,
-    references: (&References, &References),
+    references: &References,
     threshold: Threshold,
 ) -> Option<Judged> {
     if !stands(base) || !stands(new) {
         return None;
     }
     let own_reference = is_reference(base) && is_reference(new);
-    let drift = references.1.ln(new).zip(references.0.ln(base)).map(|(new, base)| new - base);
-    let steady = drift.is_none_or(|drift| drift.abs() <= threshold.log());
+    let steady = references.drift(new).is_none_or(|drift| drift.abs() <= threshold.log());
     let ratio = if steady && !own_reference { by_ratio(base, new) } else { None };
     let figures = [
-        ("cycles_per_test", by_cycles(base, new, drift, own_reference)),
+        ("cycles_per_test", by_cycles(base, new, references, own_reference)),
         ("ratio_to_reference", ratio),
     ];
     let floor = noise_floor(base).max(noise_floor(new)).max(LEAST_FLOOR).ln_1p();
@@ -136,12 +105,12 @@ fn outcome(quotient: Quotient, threshold: f64, floor: f64) -> Outcome {
 }
 
 /// Whether the figures of a row stand.
-fn stands(row: &Row) -> bool {
+pub(super) fn stands(row: &Row) -> bool {
     matches!(row.status.as_str(), "ok" | "inexact")
 }
 
 /// Whether a row is the reference of its group: then its ratio is 1 in every round.
-fn is_reference(row: &Row) -> bool {
+pub(super) fn is_reference(row: &Row) -> bool {
     let one = |ratio: Option<f64>| ratio.is_none_or(|ratio| ratio == 1.0);
     let others = [row.ratio_low, row.ratio_high, row.ratio_first_half, row.ratio_second_half];
     row.ratio_to_reference == Some(1.0) && others.into_iter().all(one)
@@ -162,13 +131,16 @@ fn by_ratio(base: &Row, new: &Row) -> Option<Quotient> {
     })
 }
 
-/// `drift` is the change of the reference's own cycles: what the halves, which are ratios, miss.
-fn by_cycles(base: &Row, new: &Row, drift: Option<f64>, own_reference: bool) -> Option<Quotient> {
+fn by_cycles(
+    base: &Row,
+    new: &Row,
+    references: &References,
+    own_reference: bool,
+) -> Option<Quotient> {
     let estimate = ln_quotient(base.cycles_per_test, new.cycles_per_test)?;
-    let has_ratio = !own_reference && base.ratio_to_reference.is_some();
-    if has_ratio && new.ratio_to_reference.is_some() {
-        let interval = ratio_interval(base, new, estimate);
-        let halves = halves(base, new).zip(drift).map(|((a, b), drift)| (a + drift, b + drift));
+    let has_ratio = base.ratio_to_reference.is_some() && new.ratio_to_reference.is_some();
+    if has_ratio && !own_reference {
+        let (interval, halves) = (ratio_interval(base, new, estimate), halves(base, new));
         return Some(Quotient { estimate, interval, halves });
     }
     let ends = |row: &Row| (row.cycles_low, row.cycles_per_test, row.cycles_high);
@@ -177,9 +149,16 @@ fn by_cycles(base: &Row, new: &Row, drift: Option<f64>, own_reference: bool) -> 
     } else {
         interval(ends(base), ends(new), estimate)
     };
-    let halves = ln_quotient(base.cycles_first_half, new.cycles_first_half)
+    let own = ln_quotient(base.cycles_first_half, new.cycles_first_half)
         .zip(ln_quotient(base.cycles_second_half, new.cycles_second_half));
+    let others = references.against_others(new).filter(|_| own_reference);
+    let halves = others.zip(own).map(|(a, b)| (weaker(a.0, b.0), weaker(a.1, b.1)));
     Some(Quotient { estimate, interval, halves })
+}
+
+/// The smaller of two changes; none if they go opposite ways.
+fn weaker(a: f64, b: f64) -> f64 {
+    if a.signum() != b.signum() { 0.0 } else { a.signum() * a.abs().min(b.abs()) }
 }
 
 fn ratio_interval(base: &Row, new: &Row, estimate: f64) -> Option<(f64, f64)> {
@@ -190,7 +169,8 @@ fn ratio_interval(base: &Row, new: &Row, estimate: f64) -> Option<(f64, f64)> {
     interval(ends(base), ends(new), estimate)
 }
 
-fn halves(base: &Row, new: &Row) -> Option<(f64, f64)> {
+/// What the ratio became, by either half of the rounds.
+pub(super) fn halves(base: &Row, new: &Row) -> Option<(f64, f64)> {
     ln_quotient(base.ratio_first_half, new.ratio_first_half)
         .zip(ln_quotient(base.ratio_second_half, new.ratio_second_half))
 }
@@ -224,6 +204,6 @@ fn ln_quotient(base: Option<f64>, new: Option<f64>) -> Option<f64> {
     Some(positive(new)?.ln() - positive(base)?.ln())
 }
 
-fn positive(figure: Option<f64>) -> Option<f64> {
+pub(super) fn positive(figure: Option<f64>) -> Option<f64> {
     figure.filter(|figure| *figure > 0.0 && figure.is_finite())
 }
