@@ -12,9 +12,12 @@
 //! The halves are ratios to the reference, also where cycles are judged. Cycles of a whole group
 //! can change by half between two runs of one program, when a neighbour comes to share the core,
 //! and both halves of the rounds see it: only what changes against others measured in the same
-//! rounds is a change of the code. So the reference, whose own ratio is always 1, is confirmed by
-//! the ratios of the others, which fall when it rises; alone in its group it is not confirmed. Nor
-//! is what makes a whole group slower at once.
+//! rounds, while these stay what they were, is a change of the code. So the reference, whose own
+//! ratio is always 1, is confirmed by the ratios of the others, which fall when it rises; alone in
+//! its group it is not confirmed. Nor is what makes a whole group slower at once.
+//!
+//! One process has its own luck with addresses, which no round of it shows. What must not fail by
+//! chance repeats the comparison with fresh processes, as `scripts/compare_commits.sh` does.
 //!
 //! All is reckoned in logarithms, so that swapping the sides changes signs and nothing else.
 
@@ -58,15 +61,17 @@ pub(super) fn judge(
         return None;
     }
     let own_reference = is_reference(base) && is_reference(new);
-    let steady = references.drift(new).is_none_or(|drift| drift.abs() <= threshold.log());
-    let ratio = if steady && !own_reference { by_ratio(base, new) } else { None };
+    let kept = references.drift(new).is_none_or(|drift| drift.abs() <= threshold.log());
+    let ratio = if kept && !own_reference { by_ratio(base, new) } else { None };
     let figures = [
         ("cycles_per_test", by_cycles(base, new, references, own_reference)),
         ("ratio_to_reference", ratio),
     ];
     let floor = noise_floor(base).max(noise_floor(new)).max(LEAST_FLOOR).ln_1p();
+    let steady = references.steady(new, threshold.log());
     let outcomes = figures.into_iter().filter_map(|(figure, quotient)| {
-        let quotient = quotient?;
+        let mut quotient = quotient?;
+        quotient.halves = quotient.halves.filter(|_| steady);
         Some((outcome(quotient, threshold.log(), floor), figure, quotient))
     });
     // Of equals the first: cycles before ratios.
@@ -200,7 +205,7 @@ fn interval(
 }
 
 /// ln(new / base), which changes its sign exactly when the sides are swapped.
-fn ln_quotient(base: Option<f64>, new: Option<f64>) -> Option<f64> {
+pub(super) fn ln_quotient(base: Option<f64>, new: Option<f64>) -> Option<f64> {
     Some(positive(new)?.ln() - positive(base)?.ln())
 }
 

@@ -140,6 +140,32 @@ fn a_group_that_is_slower_as_a_whole_is_not_confirmed() {
     let comparison = at_3_percent(&base(), &with(|row| scale_cycles(row, 1.5)));
     assert_eq!(comparison.verdict, Verdict::Unresolved);
     assert_eq!(comparison.unresolved.len(), 6);
+    // Nor is one that suffers more than the others do.
+    let unequal = with(|row| {
+        scale_cycles(row, 1.5);
+        if row.id == SUBJECT {
+            slow(row, 1.1);
+        }
+    });
+    assert!(at_3_percent(&base(), &unequal).regressions.is_empty());
+    // It is where most of the others stayed what they were, whatever the reference did.
+    let two = with(|row| match row.id.as_str() {
+        REFERENCE => scale_cycles(row, 0.9),
+        SUBJECT => {
+            slow(row, 1.1);
+            scale_ratio(row, 1.0 / 0.9);
+        }
+        _ => scale_ratio(row, 1.0 / 0.9),
+    });
+    let third = |mut side: Side| {
+        let rows = &mut side.sources[0].run.rows;
+        let more: Vec<Row> =
+            rows.iter().filter(|row| row.id.starts_with("plucker")).cloned().collect();
+        rows.extend(more.into_iter().map(|row| Row { id: "keidy".into(), ..row }));
+        side
+    };
+    let comparison = at_3_percent(&third(base()), &third(two));
+    assert_eq!(figures(&comparison.regressions), [(SUBJECT, "cycles_per_test"); 2]);
 }
 
 #[test]
