@@ -132,8 +132,11 @@ for ((pair = 1; pair <= pairs; pair++)); do
     fi
     code=0
     "$work/new-program" compare "$results/$pair/base" "$results/$pair/new" \
-        --threshold "$threshold" --format csv >"$results/$pair/findings.csv" || code=$?
-    [ "$code" -eq 0 ] || [ "$code" -eq 3 ] || exit "$((code == 2 ? 2 : 1))"
+        --threshold "$threshold" --format csv >"$results/$pair/findings.csv" 2>"$work/err" || code=$?
+    if [ "$code" -ne 0 ] && [ "$code" -ne 3 ]; then
+        cat "$work/err" >&2
+        exit "$((code == 2 ? 2 : 1))"
+    fi
     tables+=("$results/$pair/findings.csv")
 done
 
@@ -155,7 +158,7 @@ awk -F, -v pairs="$pairs" '
             print "regression: " key ":" change[key]
             all++
         }
-        if (once) print once " more in some of the pairs only"
-        print (all ? all : "No") " regressions in all " pairs " pairs"
+        if (once) print once " found by some of the pairs only, which is chance or too small to tell"
+        print "regressions found by all " pairs " pairs: " all + 0
         exit all ? 3 : 0
     }' "${tables[@]}"

@@ -105,8 +105,10 @@ pub fn text(comparison: &Comparison, base: &Side, new: &Side) -> String {
         out += &format!("\n{}\n", show::text(&Sheet { columns, rows }));
     }
     out += &more(comparison);
-    for (what, places) in [("missing", &comparison.missing), ("added", &comparison.added)] {
-        out += &list(what, places);
+    // Of what cannot be compared, every cell is in one of the two only.
+    if comparison.refused.is_empty() {
+        out += &list("missing", &comparison.missing);
+        out += &list("added", &comparison.added);
     }
     out + "\n" + &sentence(comparison)
 }
