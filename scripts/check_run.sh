@@ -81,6 +81,39 @@ expect 0 "go on where nothing is left" "$program" reproduce --out part --resume 
     --filter '^(moller[013]|wald)/f32/single'
 has "finished before" err
 expect 2 "go on with another filter" "$program" reproduce --out part --resume --filter '^wald/'
+
+expect 0 "a run against itself" "$program" compare part part --format json
+has '"verdict": "same"' out
+# A copy in which Wald's kernel takes three times as long, in all figures of its time.
+cp -r part slower
+awk '/"kernel":/ { of_wald = /"wald"/ }
+    of_wald && /"(ratio|cycles)_(to_reference|per_test|low|high|first_half|second_half)": [0-9]/ {
+        printf "%s %.17g,\n", substr($0, 1, index($0, ":")), 3 * $2
+        next
+    }
+    { print }' part/h-5/rows.json >slower/h-5/rows.json
+expect 3 "a slower kernel" "$program" compare part slower --format csv
+has '^regression,h-5,wald/' out
+grep -v '^regression,h-5,wald/' out | grep -q '^regression' && fail "another kernel is slower"
+expect 0 "a faster kernel" "$program" compare slower part --format markdown
+has '^\*\*improved' out
+sed 's/"seed": [0-9]*/"seed": 4711/' part/b-4.1/rows.json >seed.json
+expect 2 "another seed" "$program" compare part/b-4.1/rows.json seed.json
+has "seed: .* and 4711" err
+has "^Refused" out
+expect 2 "no such result" "$program" compare part missing
+expect 2 "a threshold that is none" "$program" compare part part --threshold 3
+expect 2 "an unknown baseline" "$program" run twice.toml --out unmeasured --baseline unknown
+has "unknown" err
+[ ! -e unmeasured ] || fail "a run for an unknown baseline"
+expect 2 "a baseline elsewhere" "$program" run twice.toml --save-baseline ../elsewhere
+expect 0 "a baseline is kept" "$program" run twice.toml --out first --save-baseline mine
+cmp first/twice/rows.json results/baselines/mine/twice/rows.json || fail "another baseline"
+# Whatever this machine is busy with, nothing becomes eleven times slower.
+expect 0 "a baseline is held against" "$program" run twice.toml --out second --baseline mine \
+    --threshold 1000%
+has "threshold 1000 %" out
+
 for pipe in "list variants" "reproduce --dry-run" "all 100 10"; do
     # shellcheck disable=SC2086 # words of a command line
     "$program" $pipe 2>err | head -n 1 >out || fail "a closed pipe: $pipe"

@@ -4,8 +4,8 @@
 //! ```text
 //!  number ─> policy ─> kernels ─> batch, level ─> registry ─┐
 //!                                                          ├─> experiment ─> table ─> chart ─> cli
-//!  workload ─> oracle ─> accuracy ──────────────────────────┤      rows        the      SVG
-//!  stats ────> measure <─ job ──────────────────────────────┘                 waist
+//!  workload ─> oracle ─> accuracy ──────────────────────────┤      rows        the      SVG      │
+//!  stats ────> measure <─ job ──────────────────────────────┘                 waist ─> compare ──┘
 //! ```
 //! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
 //! The modules below stand in reading order.
@@ -92,6 +92,9 @@ pub mod table;
 
 #[cfg(feature = "cli")]
 pub mod chart;
+
+#[cfg(feature = "cli")]
+pub mod compare;
 
 #[cfg(feature = "cli")]
 pub mod experiment;

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
+use super::baseline::Baselines;
+use super::compare::Compare;
 use crate::experiment::Profile;
 use crate::measure::{Order, Pin};
 use crate::workload::Generator;
@@ -85,6 +87,11 @@ pub enum Verb {
     /// Show kernels, variants, experiments, claims or levels
     #[command(after_help = "Example:\n  ray_test list variants --format csv")]
     List(List),
+    /// Hold two results against each other; exit 3 if something got worse
+    #[command(
+        after_help = "Examples:\n  ray_test compare results/before results/after\n  ray_test compare a/b-4.2/rows.json b/b-4.2/rows.json --threshold 5% --format markdown"
+    )]
+    Compare(Compare),
 }
 
 /// `ray_test run`
@@ -128,6 +135,9 @@ pub struct Batch {
     /// program and machine must be the same
     #[arg(long, requires = "out")]
     pub resume: bool,
+    /// Results to keep or to be held against.
+    #[command(flatten)]
+    pub baselines: Baselines,
 }
 
 /// `ray_test doctor`
@@ -279,7 +289,7 @@ fn slip(word: &str) -> Option<String> {
     if word.parse::<f64>().is_ok() || word == "all" {
         return None;
     }
-    let here = ["run", "reproduce", "doctor", "list", "help"];
+    let here = ["run", "reproduce", "doctor", "list", "compare", "help"];
     let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
     if VERBS.contains(&word) && !here.contains(&word) {
         let known = known.join(", ");

@@ -35,6 +35,8 @@ pub fn reproduce(arguments: &Reproduce) -> Result<(), Failure> {
 /// Everything that can be refused is refused before anything runs.
 fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     let plans = plans(&sources, batch)?;
+    let experiments: Vec<String> = plans.iter().map(|plan| plan.experiment.id.clone()).collect();
+    batch.baselines.check(&experiments)?;
     let profile = batch.profile.value();
     if batch.dry_run {
         return dry_run(&plans, profile);
@@ -59,7 +61,8 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
         plans.iter().map(|plan| estimate(plan, profile).total()).sum::<f64>().ceil(),
         folder.path().display()
     );
-    measure(&plans, before, batch, &folder, instruments)
+    let ended = measure(&plans, before, batch, &folder, instruments);
+    batch.baselines.finish(ended, folder.path(), &experiments)
 }
 
 fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {

@@ -9,6 +9,8 @@ pub enum Failure {
     Runtime(anyhow::Error),
     /// 2: wrong usage, config or input; nothing ran.
     Usage(String),
+    /// 3: so many figures got worse, and that is confirmed.
+    Regressed(usize),
     /// 4: these variants gave a wrong answer where they claim a right one.
     Wrong(Vec<String>),
     /// 130: interrupted; what was measured is saved.
@@ -24,6 +26,7 @@ impl Failure {
             Failure::Unheard => 0,
             Failure::Runtime(_) => 1,
             Failure::Usage(_) => 2,
+            Failure::Regressed(_) => 3,
             Failure::Wrong(_) => 4,
             Failure::Interrupted => 130,
         }
@@ -35,6 +38,7 @@ impl Failure {
             Failure::Unheard => {}
             Failure::Runtime(error) => eprintln!("error: {error:#}"),
             Failure::Usage(message) => eprintln!("error: {message}"),
+            Failure::Regressed(count) => eprintln!("error: {count} confirmed regressions"),
             Failure::Wrong(ids) => eprintln!(
                 "error: a wrong answer, not timed (reasons are in the rows):\n  {}",
                 ids.join("\n  ")

@@ -1,7 +1,10 @@
 //! The command line: one file per verb.
 
 mod arguments;
+mod baseline;
 mod batch;
+mod compare;
+mod comparison;
 mod doctor;
 mod failure;
 mod folder;
@@ -21,7 +24,7 @@ use arguments::{Arguments, Verb};
 use failure::Failure;
 
 /// Parses the arguments, runs the verb, and tells the exit code: 0 done, 1 failed at run time,
-/// 2 wrong usage, config or input, 4 a wrong answer, 130 interrupted.
+/// 2 wrong usage, config or input, 3 a confirmed regression, 4 a wrong answer, 130 interrupted.
 pub fn main() -> ExitCode {
     let outcome = match arguments::parse() {
         Ok(arguments) => run(arguments),
@@ -48,5 +51,6 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Reproduce(reproduce)) => batch::reproduce(&reproduce),
         Some(Verb::Doctor(doctor)) => doctor::run(&doctor),
         Some(Verb::List(list)) => list::run(&list),
+        Some(Verb::Compare(compare)) => compare::run(&compare),
     }
 }

@@ -43,7 +43,11 @@ fn object(sheet: &Sheet, row: &[Value]) -> Value {
     )
 }
 
-fn csv(sheet: &Sheet, out: &mut impl Write) -> Result<(), Failure> {
+/// A sheet as CSV, in full.
+///
+/// # Errors
+/// When `out` cannot be written.
+pub fn csv(sheet: &Sheet, out: &mut impl Write) -> Result<(), Failure> {
     let mut writer = ::csv::Writer::from_writer(out);
     let failed = |error: ::csv::Error| match error.into_kind() {
         ::csv::ErrorKind::Io(error) => Failure::from(error),
@@ -78,7 +82,8 @@ pub fn rounded(value: &Value) -> String {
     }
 }
 
-fn text(sheet: &Sheet) -> String {
+/// A sheet as a table to read.
+pub fn text(sheet: &Sheet) -> String {
     let mut table = Table::new();
     table.load_style(NOTHING);
     table.set_header(&sheet.columns);
