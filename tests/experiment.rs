@@ -4,7 +4,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use ray_test::experiment::{Bench, Experiment, Keep, KeepNothing, Outcome, Plan, run};
-use ray_test::measure::{NoCounters, Remember, ScriptedClock, Undisturbed};
+use ray_test::measure::{NoCounters, NoRuler, Remember, ScriptedClock, Undisturbed};
 use ray_test::table::{Row, TableError};
 
 /// Runs an experiment in 16 rounds; every reading of the clock is a block after the one before.
@@ -28,6 +28,7 @@ fn run_until(text: &str, blocks: usize, keep: &mut dyn Keep) -> Outcome {
         disturbance: &mut Undisturbed,
         counters: &mut NoCounters,
         forget: &mut Remember,
+        ruler: &mut NoRuler,
         progress: &mut progress,
         cancel: &cancel,
         keep,
@@ -200,6 +201,7 @@ fn rows_of_another_workload_are_refused() {
         disturbance: &mut Undisturbed,
         counters: &mut NoCounters,
         forget: &mut Remember,
+        ruler: &mut NoRuler,
         progress: &mut |_| {},
         cancel: &AtomicBool::new(false),
         keep: &mut memory,

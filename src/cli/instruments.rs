@@ -3,8 +3,10 @@
 use crate::experiment::{Bench, Distraction, Keep};
 use crate::level::levels;
 use crate::measure::{
-    Counters, Environment, HardwareCounters, InvoluntarySwitches, NoCounters, Pin, WallClock, pin,
+    Counters, Environment, HardwareCounters, InvoluntarySwitches, NeighbourRuler, NoCounters,
+    NoRuler, Pin, Ruler, WallClock, pin,
 };
+use crate::registry::units;
 use std::sync::atomic::AtomicBool;
 
 /// Clock, counters and the rest, on the processor that was chosen.
@@ -13,6 +15,7 @@ pub struct Instruments {
     disturbance: InvoluntarySwitches,
     counters: Box<dyn Counters>,
     forget: Distraction,
+    ruler: Box<dyn Ruler>,
 }
 
 impl Instruments {
@@ -33,7 +36,12 @@ impl Instruments {
             Err(_) => Box::new(NoCounters),
         };
         let forget = Distraction::new();
-        (Instruments { clock, disturbance, counters, forget }, environment)
+        let narrowest = units().into_iter().find(|unit| (unit.available)());
+        let ruler: Box<dyn Ruler> = match narrowest {
+            Some(unit) => Box::new(NeighbourRuler::new((unit.job)(), &mut clock)),
+            None => Box::new(NoRuler),
+        };
+        (Instruments { clock, disturbance, counters, forget, ruler }, environment)
     }
 
     /// A bench for groups of so many rounds, whose rows go to `keep`.
@@ -50,6 +58,7 @@ impl Instruments {
             disturbance: &mut self.disturbance,
             counters: self.counters.as_mut(),
             forget: &mut self.forget,
+            ruler: self.ruler.as_mut(),
             progress,
             cancel,
             keep,

@@ -10,7 +10,7 @@ use super::run::Trouble;
 use super::scene::Scene;
 use crate::measure::{
     Chain, Clock, Contestant, Counters, Disturbance, EmptyLoop, Figures, Forget, GroupReport,
-    Order, PREDICTED_TESTS, Progress, Protocol, ProtocolError, Role, Status, Surroundings,
+    Order, PREDICTED_TESTS, Progress, Protocol, ProtocolError, Role, Ruler, Status, Surroundings,
     measure_group,
 };
 use crate::registry::{self, Variant};
@@ -38,6 +38,8 @@ pub struct Bench<'a> {
     pub counters: &'a mut dyn Counters,
     /// Makes the processor forget a kernel, for cold calls.
     pub forget: &'a mut dyn Forget,
+    /// Tells the length of a cycle, and whether the core is shared.
+    pub ruler: &'a mut dyn Ruler,
     /// Called with the number of blocks done since it was last called.
     pub progress: &'a mut dyn FnMut(usize),
     /// Once true, nothing more is begun.
@@ -82,6 +84,7 @@ impl Bench<'_> {
             disturbance: self.disturbance,
             counters: self.counters,
             forget: self.forget,
+            ruler: self.ruler,
             progress: &mut tell,
             cancel: self.cancel,
         };

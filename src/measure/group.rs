@@ -10,6 +10,7 @@ use super::latin::LatinOrder;
 use super::plan::{align, cold_plan, plan, shared_windows};
 use super::protocol::{Order, Pace, Protocol, ProtocolError};
 use super::report::report;
+use super::ruler::Ruler;
 use super::runner::{Instruments, Runner};
 use super::steadiness::Steadiness;
 use rand::SeedableRng;
@@ -35,6 +36,8 @@ pub struct Surroundings<'a> {
     pub counters: &'a mut dyn Counters,
     /// Makes the processor forget; run before cold blocks only.
     pub forget: &'a mut dyn Forget,
+    /// Tells the length of a cycle, and whether the core is shared.
+    pub ruler: &'a mut dyn Ruler,
     /// Called between blocks, never inside a timed window.
     pub progress: &'a mut dyn FnMut(Progress),
     /// Once true, the present block is the last, and the round that it is of is dropped.
@@ -51,6 +54,7 @@ impl Surroundings<'_> {
             clock: &mut *self.clock,
             counters: &mut *self.counters,
             forget: &mut *self.forget,
+            ruler: &mut *self.ruler,
             rng,
         }
     }
@@ -163,7 +167,10 @@ fn run_rounds(
             let mut ended = run_round(runners, at, surroundings, &mut progress, rng);
             // A cold chain is one step: no measure of anything.
             let is_cold = protocol.pace == Pace::Cold;
-            if ended == Ended::Clean && !is_cold && !steadiness.keeps_step(runners) {
+            let crowded = |r: &Runner<'_>| r.pending.is_some_and(|sample| sample.crowded);
+            if ended == Ended::Clean
+                && (runners.iter().any(crowded) || !(is_cold || steadiness.keeps_step(runners)))
+            {
                 ended = Ended::Dirty;
             }
             runners.iter_mut().for_each(|r| r.end_round(ended == Ended::Clean));

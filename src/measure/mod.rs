@@ -32,6 +32,7 @@ mod pin;
 mod plan;
 mod protocol;
 mod report;
+mod ruler;
 mod runner;
 #[cfg(test)]
 mod scripted;
@@ -58,3 +59,4 @@ pub use machine::{Cache, Machine};
 pub use pin::{Pin, Pinned, pin};
 pub use plan::PREDICTED_TESTS;
 pub use protocol::{Order, Pace, Protocol, ProtocolError};
+pub use ruler::{NeighbourRuler, NoRuler, Reading, Ruler};

@@ -94,12 +94,18 @@ fn guard_all(runners: &mut [Runner<'_>], controls: &Controls, floor: f64) {
     }
 }
 
-/// Cycles of a test in every round: counted where every round was, else by the chain.
+/// Cycles of a test in every round: counted where every round was, else by the chain beside the
+/// block, else by that of the round.
 fn cycles(runner: &Runner<'_>, controls: &Controls) -> Option<(Vec<f64>, CyclesSource)> {
     let counted = |s: &Sample| Some(s.counts?.cycles as f64 / s.tests as f64);
     let counts: Option<Vec<f64>> = runner.samples.iter().map(counted).collect();
     if let Some(counts) = counts.filter(|counts| !counts.is_empty()) {
         return Some((counts, CyclesSource::Counter));
+    }
+    let ruled: Option<Vec<f64>> =
+        runner.samples.iter().map(|s| Some(s.ns_per_test() / s.ns_per_cycle?)).collect();
+    if let Some(ruled) = ruled.filter(|ruled| !ruled.is_empty()) {
+        return Some((ruled, CyclesSource::Chain));
     }
     let own = ns_per_test(runner);
     if own.is_empty() || own.len() != controls.chain.len() {

@@ -10,15 +10,20 @@ use super::forget::Forget;
 use super::guard;
 use super::plan::Plan;
 use super::protocol::Order;
+use super::ruler::{Reading, Ruler};
 use super::shuffle::permutation;
 use crate::stats::median;
 use rand_pcg::Pcg64Mcg;
+
+/// Attempts at a block beside a neighbour: his visits last 15 us to 5 ms where we looked.
+const MOST_ATTEMPTS: usize = 8;
 
 /// What a block needs of the outside world.
 pub(super) struct Instruments<'a> {
     pub clock: &'a mut dyn Clock,
     pub counters: &'a mut dyn Counters,
     pub forget: &'a mut dyn Forget,
+    pub ruler: &'a mut dyn Ruler,
     /// For new orders.
     pub rng: &'a mut Pcg64Mcg,
 }
@@ -34,6 +39,10 @@ pub(super) struct Sample {
     pub window: usize,
     /// What the processor counted over the block, where it does.
     pub counts: Option<Counts>,
+    /// Length of a cycle right before and after it, on average, where a ruler tells.
+    pub ns_per_cycle: Option<f64>,
+    /// Whether a neighbour was seen right before or after it.
+    pub crowded: bool,
 }
 
 impl Sample {
@@ -78,28 +87,49 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// Lays out, times and checks one block. A contestant that has failed only stands in line.
+    /// Lays out, times and checks one block; again while a neighbour is seen, which is no matter of
+    /// the block's own time. A contestant that has failed only stands in line.
     pub fn block(&mut self, window: usize, instruments: &mut Instruments<'_>) {
-        if self.invalid.is_some() {
-            return;
-        }
-        let job = self.contestant.job.as_mut();
-        let block = self.plan.block(job.items(), window);
-        let mut order = None;
-        match self.plan.order {
-            Order::Literal => {}
-            Order::Fixed => warm_up(job, block),
-            Order::Reshuffled => {
-                let new_order = permutation(instruments.rng, job.items());
-                job.permute(&new_order);
-                order = Some(new_order);
+        for _attempt in 0..MOST_ATTEMPTS {
+            if self.invalid.is_some() {
+                return;
+            }
+            let order = self.lay_out(window, instruments.rng);
+            self.time(window, order.as_deref(), instruments);
+            if self.pending.is_some_and(|sample| !sample.crowded) {
+                return;
             }
         }
+    }
+
+    /// Brings the items into the order of the block; the new one, if it is new.
+    fn lay_out(&mut self, window: usize, rng: &mut Pcg64Mcg) -> Option<Vec<u32>> {
+        let job = self.contestant.job.as_mut();
+        match self.plan.order {
+            Order::Literal => None,
+            Order::Fixed => {
+                let block = self.plan.block(job.items(), window);
+                warm_up(job, block);
+                None
+            }
+            Order::Reshuffled => {
+                let order = permutation(rng, job.items());
+                job.permute(&order);
+                Some(order)
+            }
+        }
+    }
+
+    fn time(&mut self, window: usize, order: Option<&[u32]>, instruments: &mut Instruments<'_>) {
+        let job = self.contestant.job.as_mut();
+        let block = self.plan.block(job.items(), window);
+        let before = instruments.ruler.read(instruments.clock);
         instruments.counters.start();
         let (ns, tally) = timed(job, block, instruments.clock);
         let counts = instruments.counters.stop();
-        if tally == self.expectation.block(block, order.as_deref()) {
-            self.take(ns, window, counts);
+        let after = instruments.ruler.read(instruments.clock);
+        if tally == self.expectation.block(block, order) {
+            self.take(ns, window, counts, [before, after]);
         } else {
             self.fail(Invalid::Tally { round: self.samples.len() });
         }
@@ -112,6 +142,7 @@ impl<'a> Runner<'a> {
         }
         let job = self.contestant.job.as_mut();
         let block = self.plan.block(job.items(), window);
+        let before = instruments.ruler.read(instruments.clock);
         instruments.forget.forget(&self.contestant.id);
         job.touch(block);
         // So that the clock's own code is not cold as well.
@@ -119,20 +150,33 @@ impl<'a> Runner<'a> {
         instruments.clock.now_ns();
         let (ns, tally) = timed(job, block, instruments.clock);
         if tally == self.expectation.block(block, None) {
-            self.take(ns, window, None);
+            self.take(ns, window, None, [before, before]);
         } else {
             self.fail(Invalid::Tally { round: self.samples.len() });
         }
     }
 
-    fn take(&mut self, ns: u64, window: usize, counts: Option<Counts>) {
+    fn take(
+        &mut self,
+        ns: u64,
+        window: usize,
+        counts: Option<Counts>,
+        readings: [Option<Reading>; 2],
+    ) {
         if ns == 0 {
             self.fail(Invalid::NoTime);
-        } else {
-            let tests = self.tests(window);
-            let window = window % self.plan.windows;
-            self.pending = Some(Sample { ns, tests, window, counts });
+            return;
         }
+        let cycle = |reading: Option<Reading>| reading.map(|reading| reading.ns_per_cycle);
+        let [before, after] = readings.map(cycle);
+        self.pending = Some(Sample {
+            ns,
+            tests: self.tests(window),
+            window: window % self.plan.windows,
+            counts,
+            ns_per_cycle: before.zip(after).map(|(before, after)| (before + after) / 2.0),
+            crowded: readings.iter().flatten().any(|reading| reading.crowded),
+        });
     }
 
     /// Whether twice the work takes about twice the time; if not, it fails.

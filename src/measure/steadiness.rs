@@ -37,7 +37,8 @@ impl Steadiness {
     }
 }
 
-/// Cycles per ns of the round that is pending: counted over all blocks, else by the chain.
+/// Cycles per ns of the round that is pending: counted over all blocks, else by the chain, whose
+/// cycles are known.
 fn pace(runners: &[Runner<'_>]) -> Option<f64> {
     let pending = || runners.iter().filter_map(|runner| runner.pending);
     let counted: Option<Vec<(f64, f64)>> =
@@ -49,7 +50,8 @@ fn pace(runners: &[Runner<'_>]) -> Option<f64> {
         return Some(sum(|b| b.0) / sum(|b| b.1));
     }
     let chain = runners.iter().find(|r| r.contestant.role == Role::Chain)?.pending?;
-    Some(CYCLES_PER_STEP / chain.ns_per_test())
+    // In cycles by the ruler, where there is one: then the clock speed may change as it likes.
+    Some(CYCLES_PER_STEP * chain.ns_per_cycle.unwrap_or(1.0) / chain.ns_per_test())
 }
 
 #[cfg(test)]

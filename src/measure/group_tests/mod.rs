@@ -56,8 +56,9 @@ fn measure_with(
     cancel: &AtomicBool,
 ) -> GroupReport {
     let clock = &mut script.clock.clone();
-    let (counters, forget) = (&mut NoCounters, &mut Remember);
-    let mut surroundings = Surroundings { clock, disturbance, counters, forget, progress, cancel };
+    let (counters, forget, ruler) = (&mut NoCounters, &mut Remember, &mut NoRuler);
+    let mut surroundings =
+        Surroundings { clock, disturbance, counters, forget, ruler, progress, cancel };
     measure_group(contestants, protocol, &mut surroundings).expect("a group that can be measured")
 }
 

@@ -210,9 +210,9 @@ fn refused_groups_run_nothing() {
         let clock = &mut script.clock.clone();
         let (progress, cancel) = (&mut |_| {}, &AtomicBool::new(false));
         let disturbance = &mut Undisturbed;
-        let (counters, forget) = (&mut NoCounters, &mut Remember);
+        let (counters, forget, ruler) = (&mut NoCounters, &mut Remember, &mut NoRuler);
         let mut surroundings =
-            Surroundings { clock, disturbance, counters, forget, progress, cancel };
+            Surroundings { clock, disturbance, counters, forget, ruler, progress, cancel };
         measure_group(group, &protocol(Order::Fixed), &mut surroundings).err()
     };
     let new = |id: &str, role, items| subject(id, role, ScriptedJob::new(&script, items, 4)).0;

@@ -169,6 +169,7 @@ fn a_cold_block_is_one_item_after_everything_was_forgotten() {
         disturbance: &mut Undisturbed,
         counters: &mut NoCounters,
         forget: &mut log,
+        ruler: &mut NoRuler,
         progress: &mut |_| {},
         cancel: &AtomicBool::new(false),
     };
@@ -196,4 +197,49 @@ fn a_round_that_the_clock_and_the_cycles_disagree_on_is_dropped() {
     let report = measure_with(&mut group, &fixed, &script, &mut Undisturbed, &mut progress, &never);
     assert_eq!((report.rounds, report.dirty_rounds), (20, 1));
     assert_eq!(report.figures[3].samples, [10_000.0; 20]);
+}
+
+/// Says "crowded" at the readings in the list, counted from 0; a cycle is half a nanosecond.
+struct Crowded {
+    at: std::ops::Range<usize>,
+    next: usize,
+}
+
+impl Ruler for Crowded {
+    fn read(&mut self, _clock: &mut dyn Clock) -> Option<Reading> {
+        let crowded = self.at.contains(&self.next);
+        self.next += 1;
+        Some(Reading { ns_per_cycle: 0.5, crowded })
+    }
+}
+
+/// Four contestants in 20 rounds beside a neighbour who is there during some readings.
+fn beside(at: std::ops::Range<usize>) -> (GroupReport, usize) {
+    let script = Script::default();
+    let mut group = with(&script, &[("subject", Role::Subject, 1000)]);
+    let mut ruler = Crowded { at, next: 0 };
+    let mut surroundings = Surroundings {
+        clock: &mut script.clock.clone(),
+        disturbance: &mut Undisturbed,
+        counters: &mut NoCounters,
+        forget: &mut Remember,
+        ruler: &mut ruler,
+        progress: &mut |_| {},
+        cancel: &AtomicBool::new(false),
+    };
+    let report = measure_group(&mut group, &protocol(Order::Fixed), &mut surroundings);
+    (report.expect("can be measured"), ruler.next)
+}
+
+#[test]
+fn blocks_beside_a_neighbour_are_run_again() {
+    let (alone, readings) = beside(0..0);
+    assert_eq!((alone.rounds, alone.dirty_rounds, readings), (20, 0, 2 * 4 * 20));
+    assert_eq!(alone.figures[3].cycles_per_test, Some(2000.0));
+    // Three readings are two blocks, run again.
+    let (visited, readings) = beside(40..43);
+    assert_eq!((visited.rounds, visited.dirty_rounds, readings), (20, 0, 2 * (4 * 20 + 2)));
+    // Eight attempts at a block, and the round is lost.
+    let (crowded, _) = beside(40..56);
+    assert_eq!((crowded.rounds, crowded.dirty_rounds), (20, 1));
 }
