@@ -4,7 +4,7 @@ use crate::experiment::{Bench, Distraction, Keep};
 use crate::level::levels;
 use crate::measure::{
     Counters, Environment, HardwareCounters, InvoluntarySwitches, NeighbourRuler, NoCounters,
-    NoRuler, Pin, Ruler, WallClock, pin,
+    NoRuler, Pin, Ruler, WallClock, allowed_cpus, pin,
 };
 use crate::registry::units;
 use std::sync::atomic::AtomicBool;
@@ -28,6 +28,10 @@ impl Instruments {
         let has = |(level, available): (&str, bool)| available.then(|| level.to_owned());
         environment.levels = levels().into_iter().filter_map(has).collect();
         let mut disturbance = InvoluntarySwitches;
+        let cpus = match wanted {
+            Pin::Auto => allowed_cpus().unwrap_or_default(),
+            Pin::Off | Pin::Cpu(_) => Vec::new(),
+        };
         let pinned = pin(wanted, &mut clock, &mut disturbance);
         environment.pinned_cpu = pinned.cpu;
         environment.pin_note = Some(pinned.note);
@@ -38,7 +42,7 @@ impl Instruments {
         let forget = Distraction::new();
         let narrowest = units().into_iter().find(|unit| (unit.available)());
         let ruler: Box<dyn Ruler> = match narrowest {
-            Some(unit) => Box::new(NeighbourRuler::new((unit.job)(), &mut clock)),
+            Some(unit) => Box::new(NeighbourRuler::new((unit.job)(), cpus, &mut clock)),
             None => Box::new(NoRuler),
         };
         (Instruments { clock, disturbance, counters, forget, ruler }, environment)

@@ -96,6 +96,7 @@ pub fn put_group(row: &mut Row, figures: &Figures, report: &GroupReport, ok: &st
     row.noise_floor = figures.ratio_to_reference.map(|_| report.noise_floor);
     row.ratio_placebo = report.placebo_floor.map(f64::exp);
     row.empty_loop_share = figures.empty_loop_ratio;
+    row.crowded_share = Some(report.crowded_share);
 }
 
 fn put_times(row: &mut Row, figures: &Figures) {

@@ -51,7 +51,8 @@ mod system {
     }
 }
 
-pub(super) use system::{allowed_cpus, run_on};
+pub use system::allowed_cpus;
+pub(super) use system::run_on;
 
 /// The numbers as the system writes them, such as `0-3,8`; they ascend.
 pub(super) fn list_of(cpus: &[usize]) -> String {

@@ -153,6 +153,9 @@ pub struct GroupReport {
     pub rounds: usize,
     /// Dropped rounds.
     pub dirty_rounds: usize,
+    /// Share of the clean rounds in which somebody else used the core: 0, unless there would have
+    /// been too few without them.
+    pub crowded_share: f64,
     /// Planned length of all timed blocks, ns.
     pub planned_ns: u64,
     /// Whether it was ended before its time.

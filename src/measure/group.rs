@@ -49,12 +49,17 @@ impl Surroundings<'_> {
         self.cancel.load(Atomic::Relaxed)
     }
 
-    fn instruments<'b>(&'b mut self, rng: &'b mut Pcg64Mcg) -> Instruments<'b> {
+    fn instruments<'b>(
+        &'b mut self,
+        rng: &'b mut Pcg64Mcg,
+        spare_blocks: &'b mut usize,
+    ) -> Instruments<'b> {
         Instruments {
             clock: &mut *self.clock,
             counters: &mut *self.counters,
             forget: &mut *self.forget,
             ruler: &mut *self.ruler,
+            spare_blocks,
             rng,
         }
     }
@@ -76,6 +81,7 @@ pub fn measure_group(
     contestant::validate(contestants)?;
     let mut rng = Pcg64Mcg::seed_from_u64(protocol.seed);
     let mut runners: Vec<Runner<'_>> = contestants.iter_mut().map(Runner::new).collect();
+    surroundings.ruler.settle(surroundings.clock);
     prepare(&mut runners, protocol, surroundings, &mut rng);
     let rounds = run_rounds(&mut runners, protocol, surroundings, &mut rng);
     runners.iter_mut().for_each(Runner::restore);
@@ -110,7 +116,7 @@ fn prepare(
         if surroundings.cancel.load(Atomic::Relaxed) {
             return;
         }
-        runner.check_doubling(&mut surroundings.instruments(rng));
+        runner.check_doubling(&mut surroundings.instruments(rng, &mut 0));
         if protocol.order == Order::Fixed && runner.invalid.is_none() {
             runner.run_solo(surroundings.clock);
         }
@@ -159,21 +165,21 @@ fn run_rounds(
     let mut latin = LatinOrder::new(number, !protocol.seed);
     let mut rounds = Rounds::default();
     let mut progress = Progress { done_blocks: 0, total_blocks: planned * number };
+    let mut spare_blocks = protocol.spare_blocks(number);
     let mut steadiness = Steadiness::default();
     for window in 0..planned {
         let positions = latin.next_round();
         loop {
-            let at = (&positions[..], window, protocol.pace);
-            let mut ended = run_round(runners, at, surroundings, &mut progress, rng);
+            let at = Round { positions: &positions, window, pace: protocol.pace };
+            let chance = (&mut *rng, &mut spare_blocks);
+            let mut ended = run_round(runners, at, surroundings, &mut progress, chance);
             // A cold chain is one step: no measure of anything.
             let is_cold = protocol.pace == Pace::Cold;
-            let crowded = |r: &Runner<'_>| r.pending.is_some_and(|sample| sample.crowded);
-            if ended == Ended::Clean
-                && (runners.iter().any(crowded) || !(is_cold || steadiness.keeps_step(runners)))
-            {
+            let crowded = runners.iter().filter_map(|r| r.pending).any(|sample| sample.crowded);
+            if ended == Ended::Clean && !is_cold && !steadiness.keeps_step(runners) {
                 ended = Ended::Dirty;
             }
-            runners.iter_mut().for_each(|r| r.end_round(ended == Ended::Clean));
+            runners.iter_mut().for_each(|r| r.end_round(ended == Ended::Clean, crowded));
             match ended {
                 Ended::Cancelled => return Rounds { cancelled: true, ..rounds },
                 Ended::Clean => {
@@ -195,24 +201,32 @@ fn run_rounds(
     rounds
 }
 
+/// What is to be done in a round.
+#[derive(Clone, Copy)]
+struct Round<'a> {
+    positions: &'a [usize],
+    window: usize,
+    pace: Pace,
+}
+
 /// One round. A disturbance spoils it for everybody, so that none gains.
 fn run_round(
     runners: &mut [Runner<'_>],
-    (positions, window, pace): (&[usize], usize, Pace),
+    round: Round<'_>,
     surroundings: &mut Surroundings<'_>,
     progress: &mut Progress,
-    rng: &mut Pcg64Mcg,
+    (rng, spare_blocks): (&mut Pcg64Mcg, &mut usize),
 ) -> Ended {
     let before = surroundings.disturbance.count();
-    for &position in positions {
+    for &position in round.positions {
         if surroundings.cancelled() {
             return Ended::Cancelled;
         }
-        let instruments = &mut surroundings.instruments(rng);
-        if pace == Pace::Cold {
-            runners[position].cold_block(window, instruments);
+        let instruments = &mut surroundings.instruments(rng, spare_blocks);
+        if round.pace == Pace::Cold {
+            runners[position].cold_block(round.window, instruments);
         } else {
-            runners[position].block(window, instruments);
+            runners[position].block(round.window, instruments);
         }
         progress.done_blocks += 1;
         (surroundings.progress)(*progress);

@@ -39,6 +39,7 @@ mod scripted;
 mod shuffle;
 mod steadiness;
 
+pub use affinity::allowed_cpus;
 pub use build_info::BuildInfo;
 pub use chain::{CYCLES_PER_STEP, Chain};
 pub use clock::{Clock, ScriptedClock, TimerFigures, WallClock, timer_figures};

@@ -151,6 +151,13 @@ impl Protocol {
         self.planned_rounds(contestants).saturating_mul(4)
     }
 
+    /// How many blocks may be run again because a neighbour was seen: five quarters of them, so that
+    /// a core that is shared for half of the time is measured while it is not, and one that is
+    /// always shared takes little more than twice the time.
+    pub fn spare_blocks(&self, contestants: usize) -> usize {
+        self.planned_rounds(contestants).saturating_mul(contestants).saturating_mul(5) / 4
+    }
+
     /// How many rounds may be run again because something disturbed them: a quarter.
     pub fn spare_rounds(&self, contestants: usize) -> usize {
         self.planned_rounds(contestants).div_ceil(4)
@@ -168,6 +175,7 @@ mod tests {
         assert_eq!(protocol.planned_rounds(9), 72);
         assert_eq!(protocol.planned_ns(9), 72 * 9 * 60_000);
         assert_eq!(protocol.spare_rounds(9), 18);
+        assert_eq!(protocol.spare_blocks(9), 810);
         protocol.exact_rounds = true;
         assert_eq!(protocol.planned_rounds(9), 64);
     }

@@ -39,8 +39,10 @@ impl Controls {
 pub(super) fn report(
     runners: &mut [Runner<'_>],
     protocol: &Protocol,
-    rounds: Rounds,
+    mut rounds: Rounds,
 ) -> GroupReport {
+    let number = runners.len();
+    let crowded_share = drop_crowded(runners, protocol.planned_rounds(number), &mut rounds);
     let controls = Controls::of(runners);
     let floor = noise_floor(runners, &controls);
     if protocol.pace == Pace::Throughput {
@@ -52,7 +54,6 @@ pub(super) fn report(
     if rounds.cancelled && rounds.clean < Protocol::LEAST_ROUNDS {
         withhold(&mut figures, &Invalid::Interrupted { rounds: rounds.clean });
     }
-    let number = runners.len();
     GroupReport {
         placebo_floor: placebo_floor(&figures),
         noise_floor: floor,
@@ -60,9 +61,27 @@ pub(super) fn report(
         planned_rounds: protocol.planned_rounds(number),
         rounds: rounds.clean,
         dirty_rounds: rounds.dirty,
+        crowded_share,
         planned_ns: protocol.planned_ns(number),
         cancelled: rounds.cancelled,
     }
+}
+
+/// Drops the rounds beside a neighbour if a quarter of those planned is left without them, else
+/// none. Returns the share of such rounds among those that stay.
+fn drop_crowded(runners: &mut [Runner<'_>], planned: usize, rounds: &mut Rounds) -> f64 {
+    let all = runners.iter().map(|r| &r.samples).find(|samples| !samples.is_empty());
+    let crowded = all.map_or(0, |samples| samples.iter().filter(|s| s.crowded).count());
+    let quiet = rounds.clean - crowded;
+    if quiet < (planned / 4).max(Protocol::LEAST_ROUNDS) {
+        return crowded as f64 / rounds.clean.max(1) as f64;
+    }
+    for runner in runners.iter_mut() {
+        runner.samples.retain(|sample| !sample.crowded);
+    }
+    rounds.clean = quiet;
+    rounds.dirty += crowded;
+    0.0
 }
 
 /// Marks figures as ones that do not stand, whose own reasons are no better.

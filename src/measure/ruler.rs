@@ -6,6 +6,7 @@
 //! it is. So both are timed for a few microseconds before and after each block: the chain tells
 //! the cycles, and their quotient tells the neighbour.
 
+use super::affinity::run_on;
 use super::chain::{CYCLES_PER_STEP, Chain};
 use super::clock::Clock;
 use crate::job::{Block, Job};
@@ -25,6 +26,9 @@ pub struct Reading {
 pub trait Ruler {
     /// The state now; `None` where nobody can tell.
     fn read(&mut self, clock: &mut dyn Clock) -> Option<Reading>;
+    /// Looks for a processor without a neighbour, for some ms at most, and stays there; before a
+    /// group, never within one.
+    fn settle(&mut self, _clock: &mut dyn Clock) {}
 }
 
 /// Never tells.
@@ -51,10 +55,22 @@ const TOGETHER: usize = 9;
 /// they are 1.2 to 2 times as much, by how much of the reading he was there.
 const CROWDED: f64 = 1.1;
 
+/// Readings of a look at a processor: a millisecond.
+const LOOKS: u32 = 100;
+
+/// A processor with a neighbour in at most this share of the readings is taken.
+const QUIET: f64 = 0.1;
+
+/// Looks before a group: with two processors fifteen each, 30 ms in all. Visits last 5 ms or, when
+/// a neighbour has much to do, seconds, and those are not waited for.
+const TURNS: usize = 30;
+
 /// A chain, and a job that keeps the arithmetic units busy.
 pub struct NeighbourRuler {
     chain: Chain,
     units: Box<dyn Job>,
+    /// Processors to choose from; with less than two there is no choice.
+    cpus: Vec<usize>,
     recent: Vec<f64>,
     /// Least quotient of the two that lasted: what it is without a neighbour.
     alone: f64,
@@ -63,11 +79,13 @@ pub struct NeighbourRuler {
 impl NeighbourRuler {
     /// Over a job that is limited by the processor's units: its items repeated in a row take the
     /// units' time and wait for nothing. Reads for about 50 ms, to see the processor without a
-    /// neighbour for a moment.
-    pub fn new(units: Box<dyn Job>, clock: &mut dyn Clock) -> Self {
+    /// neighbour for a moment. `cpus` are the numbers of those that the thread may move between,
+    /// the present one among them; none to stay.
+    pub fn new(units: Box<dyn Job>, cpus: Vec<usize>, clock: &mut dyn Clock) -> Self {
         let mut ruler = NeighbourRuler {
             chain: Chain::new(STEPS),
             units,
+            cpus,
             recent: Vec::new(),
             alone: f64::INFINITY,
         };
@@ -75,6 +93,12 @@ impl NeighbourRuler {
             ruler.read(clock);
         }
         ruler
+    }
+
+    /// Share of some readings, about a millisecond, that a neighbour is in.
+    pub fn crowded_share(&mut self, clock: &mut dyn Clock) -> f64 {
+        let crowded = |_: &u32| self.read(clock).is_some_and(|reading| reading.crowded);
+        f64::from((0..LOOKS).filter(crowded).count() as u32) / f64::from(LOOKS)
     }
 
     /// Learns from a quotient what it is alone, and tells whether this one is more.
@@ -106,6 +130,19 @@ impl Ruler for NeighbourRuler {
         let ns_per_cycle = chain_ns / (STEPS as f64 * CYCLES_PER_STEP);
         Some(Reading { ns_per_cycle, crowded: self.is_crowded(units_ns / chain_ns) })
     }
+
+    fn settle(&mut self, clock: &mut dyn Clock) {
+        for _turn in 0..TURNS {
+            if self.crowded_share(clock) <= QUIET {
+                return;
+            }
+            // The next one, in a circle; where the system refuses, this one it is.
+            if let Some(cpu) = self.cpus.first().copied() {
+                self.cpus.rotate_left(1);
+                run_on(&[cpu]).ok();
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -116,7 +153,7 @@ mod tests {
     fn ruler() -> NeighbourRuler {
         let chain = || Chain::new(STEPS);
         let (units, recent) = (Box::new(chain()), Vec::new());
-        NeighbourRuler { chain: chain(), units, recent, alone: f64::INFINITY }
+        NeighbourRuler { chain: chain(), units, cpus: vec![], recent, alone: f64::INFINITY }
     }
 
     #[test]

@@ -24,8 +24,25 @@ pub(super) struct Instruments<'a> {
     pub counters: &'a mut dyn Counters,
     pub forget: &'a mut dyn Forget,
     pub ruler: &'a mut dyn Ruler,
+    /// Blocks that the group may still run again because of a neighbour.
+    pub spare_blocks: &'a mut usize,
     /// For new orders.
     pub rng: &'a mut Pcg64Mcg,
+}
+
+impl Instruments<'_> {
+    /// The first reading without a neighbour, or the last of some.
+    fn quiet_reading(&mut self) -> Option<Reading> {
+        let mut reading = None;
+        for _attempt in 0..MOST_ATTEMPTS {
+            reading = self.ruler.read(self.clock);
+            if reading.is_none_or(|reading| !reading.crowded) || *self.spare_blocks == 0 {
+                break;
+            }
+            *self.spare_blocks -= 1;
+        }
+        reading
+    }
 }
 
 /// One block of one contestant.
@@ -41,7 +58,7 @@ pub(super) struct Sample {
     pub counts: Option<Counts>,
     /// Length of a cycle right before and after it, on average, where a ruler tells.
     pub ns_per_cycle: Option<f64>,
-    /// Whether a neighbour was seen right before or after it.
+    /// Whether a neighbour was seen right before or after it, or another block of its round.
     pub crowded: bool,
 }
 
@@ -96,9 +113,11 @@ impl<'a> Runner<'a> {
             }
             let order = self.lay_out(window, instruments.rng);
             self.time(window, order.as_deref(), instruments);
-            if self.pending.is_some_and(|sample| !sample.crowded) {
+            let quiet = self.pending.is_some_and(|sample| !sample.crowded);
+            if quiet || *instruments.spare_blocks == 0 {
                 return;
             }
+            *instruments.spare_blocks -= 1;
         }
     }
 
@@ -142,7 +161,7 @@ impl<'a> Runner<'a> {
         }
         let job = self.contestant.job.as_mut();
         let block = self.plan.block(job.items(), window);
-        let before = instruments.ruler.read(instruments.clock);
+        let before = instruments.quiet_reading();
         instruments.forget.forget(&self.contestant.id);
         job.touch(block);
         // So that the clock's own code is not cold as well.
@@ -198,11 +217,12 @@ impl<'a> Runner<'a> {
         self.solo_ns = median(&[solo(), solo(), solo(), solo(), solo()]).filter(|ns| *ns > 0.0);
     }
 
-    /// Keeps the sample of the present round, or drops it.
-    pub fn end_round(&mut self, clean: bool) {
+    /// Keeps the sample of the present round, or drops it. A neighbour of one block is one of the
+    /// whole round.
+    pub fn end_round(&mut self, clean: bool, crowded: bool) {
         let sample = self.pending.take();
         if clean {
-            self.samples.extend(sample);
+            self.samples.extend(sample.map(|sample| Sample { crowded, ..sample }));
         }
     }
 

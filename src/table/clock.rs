@@ -37,6 +37,7 @@ pub const CLOCK_COLUMNS: &[&str] = &[
     "noise_floor",
     "more_rounds",
     "solo_ratio",
+    "crowded_share",
     "latency_ns_per_test",
     "latency_ns_low",
     "latency_ns_high",

@@ -207,6 +207,9 @@ columns! {
     /// Order `fixed`: time among the others of the group over time alone. Above 1 where the set
     /// is more than the branch predictor remembers.
     solo_ratio: Option<f64>,
+    /// Share of the rounds in which a neighbour used the core as well; above 0 only where there were
+    /// too few rounds without one.
+    crowded_share: Option<f64>,
     /// Single rays: median time from one answer to the next where each test waits for the answer
     /// before it.
     latency_ns_per_test: Option<f64>,

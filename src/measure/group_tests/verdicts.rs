@@ -239,7 +239,15 @@ fn blocks_beside_a_neighbour_are_run_again() {
     // Three readings are two blocks, run again.
     let (visited, readings) = beside(40..43);
     assert_eq!((visited.rounds, visited.dirty_rounds, readings), (20, 0, 2 * (4 * 20 + 2)));
-    // Eight attempts at a block, and the round is lost.
+    // Eight attempts at a block, and the round is dropped.
     let (crowded, _) = beside(40..56);
-    assert_eq!((crowded.rounds, crowded.dirty_rounds), (20, 1));
+    assert_eq!((crowded.rounds, crowded.dirty_rounds, crowded.crowded_share), (19, 1, 0.0));
+}
+
+#[test]
+fn a_neighbour_who_stays_is_told_of_and_no_endless_wait() {
+    let (crowded, readings) = beside(0..usize::MAX);
+    assert_eq!((crowded.rounds, crowded.dirty_rounds, crowded.crowded_share), (20, 0, 1.0));
+    // The blocks, and five quarters of them again.
+    assert_eq!(readings, 2 * (80 + 100));
 }
