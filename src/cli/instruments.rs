@@ -1,12 +1,14 @@
 //! What measuring needs of this machine, set up once per run.
 
 use crate::experiment::{Bench, Distraction, Keep};
+use crate::job::Job;
 use crate::level::levels;
 use crate::measure::{
     Counters, Environment, HardwareCounters, InvoluntarySwitches, NeighbourRuler, NoCounters,
     NoRuler, Pin, Ruler, WallClock, allowed_cpus, pin,
 };
-use crate::registry::units;
+use crate::registry::variants;
+use crate::workload::{PairSpec, Pairs};
 use std::sync::atomic::AtomicBool;
 
 /// Clock, counters and the rest, on the processor that was chosen.
@@ -40,9 +42,8 @@ impl Instruments {
             Err(_) => Box::new(NoCounters),
         };
         let forget = Distraction::new();
-        let narrowest = units().into_iter().find(|unit| (unit.available)());
-        let ruler: Box<dyn Ruler> = match narrowest {
-            Some(unit) => Box::new(NeighbourRuler::new((unit.job)(), cpus, &mut clock)),
+        let ruler: Box<dyn Ruler> = match crowd_kernel() {
+            Some(kernel) => Box::new(NeighbourRuler::new(kernel, cpus, &mut clock)),
             None => Box::new(NoRuler),
         };
         (Instruments { clock, disturbance, counters, forget, ruler }, environment)
@@ -68,4 +69,18 @@ impl Instruments {
             keep,
         }
     }
+}
+
+/// Pairs of the ruler's kernel: near, and its whole time.
+const PAIRS: usize = 64;
+
+/// The reference's algorithm at the lowest level that there is, computing everything.
+fn crowd_kernel() -> Option<Box<dyn Job>> {
+    let pairs = Pairs::draw(PairSpec::new(PAIRS, 0.5, 1)).ok()?;
+    let full = variants().iter().find(|variant| {
+        let axes = &variant.axes;
+        let drive = axes.drive == "single" && axes.exit == "full" && axes.output == "tuv";
+        axes.kernel == "moller-trumbore" && drive && (variant.available)()
+    })?;
+    full.pairs.as_ref().map(|bind| bind(&pairs.rays, &pairs.triangles))
 }

@@ -1,10 +1,11 @@
 //! What the processor does next to a block: how long its cycles are, and whether it is shared.
 //!
-//! Two threads of one core share its arithmetic units. A neighbour on the other thread, which may
-//! belong to another virtual machine and count as nobody's switch or steal, makes code that is
-//! limited by those units take up to twice its time, and leaves a chain of dependent operations as
-//! it is. So both are timed for a few microseconds before and after each block: the chain tells
-//! the cycles, and their quotient tells the neighbour.
+//! Two threads of one core share it. A neighbour on the other thread, which may belong to another
+//! virtual machine and count as nobody's switch or steal, makes code that does several things in a
+//! cycle, such as a kernel, take a quarter to a half more time, and leaves a chain of dependent
+//! operations as it is. So both are timed for some microseconds before and after each block: the
+//! chain tells the cycles, and their quotient tells the neighbour. (Additions and multiplications
+//! alone are no such code: they left enough of the core to him that he could not be seen.)
 
 use super::affinity::run_on;
 use super::chain::{CYCLES_PER_STEP, Chain};
@@ -41,19 +42,24 @@ impl Ruler for NoRuler {
     }
 }
 
-/// Steps of the chain in a reading: 16 000 cycles, 3 to 6 us, 200 times a clock's resolution.
-const STEPS: usize = 8000;
+/// Steps of the chain before and after the kernel: 8000 cycles, 2 us, 100 times a clock's
+/// resolution.
+const STEPS: usize = 4000;
 
-/// Items of the other half: about as long where [`crate::batch::ArithmeticJob`] is that half.
-const ITEMS: usize = 2500;
+/// Tests of the kernel in a reading: 4 us at 40 cycles each.
+const TESTS: usize = 400;
+
+/// How far apart the two chains of a reading may be, in terms of the first: twice what the clock's
+/// resolution makes of 2 us. Beyond that the reading itself was disturbed.
+const AGREEING: f64 = 0.03;
 
 /// Readings that are looked at together: more than half of them would have to be wrong to be
 /// believed.
 const TOGETHER: usize = 9;
 
 /// How much more than alone is a neighbour. Alone, readings lie within 1 % of each other; with one
-/// they are 1.2 to 2 times as much, by how much of the reading he was there.
-const CROWDED: f64 = 1.1;
+/// they are 1.2 to 1.5 times as much, or less if he was there for a part of the reading only.
+const CROWDED: f64 = 1.05;
 
 /// Readings of a look at a processor: a millisecond.
 const LOOKS: u32 = 100;
@@ -65,10 +71,10 @@ const QUIET: f64 = 0.1;
 /// a neighbour has much to do, seconds, and those are not waited for.
 const TURNS: usize = 30;
 
-/// A chain, and a job that keeps the arithmetic units busy.
+/// A chain, and a kernel that keeps the core busy.
 pub struct NeighbourRuler {
     chain: Chain,
-    units: Box<dyn Job>,
+    kernel: Box<dyn Job>,
     /// Processors to choose from; with less than two there is no choice.
     cpus: Vec<usize>,
     recent: Vec<f64>,
@@ -77,14 +83,14 @@ pub struct NeighbourRuler {
 }
 
 impl NeighbourRuler {
-    /// Over a job that is limited by the processor's units: its items repeated in a row take the
-    /// units' time and wait for nothing. Reads for about 50 ms, to see the processor without a
-    /// neighbour for a moment. `cpus` are the numbers of those that the thread may move between,
-    /// the present one among them; none to stay.
-    pub fn new(units: Box<dyn Job>, cpus: Vec<usize>, clock: &mut dyn Clock) -> Self {
+    /// Over a kernel that computes everything of a few tests, so that nothing is predicted and no
+    /// data are far. Reads for about 50 ms, to see the processor without a neighbour for a moment.
+    /// `cpus` are the numbers of those that the thread may move between, the present one among
+    /// them; none to stay.
+    pub fn new(kernel: Box<dyn Job>, cpus: Vec<usize>, clock: &mut dyn Clock) -> Self {
         let mut ruler = NeighbourRuler {
             chain: Chain::new(STEPS),
-            units,
+            kernel,
             cpus,
             recent: Vec::new(),
             alone: f64::INFINITY,
@@ -121,14 +127,18 @@ fn timed_ns(job: &mut dyn Job, repeats: usize, clock: &mut dyn Clock) -> f64 {
 
 impl Ruler for NeighbourRuler {
     fn read(&mut self, clock: &mut dyn Clock) -> Option<Reading> {
-        let chain_ns = timed_ns(&mut self.chain, 1, clock);
-        let repeats = (ITEMS / self.units.items().max(1)).max(1);
-        let units_ns = timed_ns(self.units.as_mut(), repeats, clock);
-        if !(chain_ns > 0.0 && units_ns > 0.0) {
+        let before_ns = timed_ns(&mut self.chain, 1, clock);
+        let repeats = (TESTS / self.kernel.items().max(1)).max(1);
+        let kernel_ns = timed_ns(self.kernel.as_mut(), repeats, clock);
+        let after_ns = timed_ns(&mut self.chain, 1, clock);
+        if !(before_ns > 0.0 && kernel_ns > 0.0 && after_ns > 0.0) {
             return None;
         }
+        let chain_ns = (before_ns + after_ns) / 2.0;
         let ns_per_cycle = chain_ns / (STEPS as f64 * CYCLES_PER_STEP);
-        Some(Reading { ns_per_cycle, crowded: self.is_crowded(units_ns / chain_ns) })
+        let disturbed = (after_ns / before_ns - 1.0).abs() > AGREEING;
+        let crowded = disturbed || self.is_crowded(kernel_ns / chain_ns);
+        Some(Reading { ns_per_cycle, crowded })
     }
 
     fn settle(&mut self, clock: &mut dyn Clock) {
@@ -152,15 +162,15 @@ mod tests {
 
     fn ruler() -> NeighbourRuler {
         let chain = || Chain::new(STEPS);
-        let (units, recent) = (Box::new(chain()), Vec::new());
-        NeighbourRuler { chain: chain(), units, cpus: vec![], recent, alone: f64::INFINITY }
+        let (kernel, recent) = (Box::new(chain()), Vec::new());
+        NeighbourRuler { chain: chain(), kernel, cpus: vec![], recent, alone: f64::INFINITY }
     }
 
     #[test]
     fn a_neighbour_is_seen_once_the_processor_was_seen_without() {
         let mut ruler = ruler();
         assert!((0..9).all(|_| !ruler.is_crowded(2.25)));
-        let crowded = [2.24, 2.3, 4.4, 2.25, 2.6, 4.0].map(|quotient| ruler.is_crowded(quotient));
+        let crowded = [2.24, 2.3, 4.4, 2.25, 2.4, 4.0].map(|quotient| ruler.is_crowded(quotient));
         assert_eq!(crowded, [false, false, true, false, true, true]);
     }
 
@@ -175,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn a_disturbed_chain_teaches_nothing() {
+    fn a_disturbed_reading_teaches_nothing() {
         let mut ruler = ruler();
         (0..9).for_each(|_| {
             ruler.is_crowded(2.25);
@@ -189,7 +199,7 @@ mod tests {
     #[test]
     fn cycles_are_those_of_the_chain() {
         // Each reading of the clock is 8000 ns after the one before.
-        let reading = ruler().read(&mut ScriptedClock::new(8000)).expect("time passes");
+        let reading = ruler().read(&mut ScriptedClock::new(4000)).expect("time passes");
         assert_eq!(reading, Reading { ns_per_cycle: 0.5, crowded: false });
         assert_eq!(ruler().read(&mut ScriptedClock::new(0)), None);
     }

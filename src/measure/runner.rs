@@ -107,14 +107,14 @@ impl<'a> Runner<'a> {
     /// Lays out, times and checks one block; again while a neighbour is seen, which is no matter of
     /// the block's own time. A contestant that has failed only stands in line.
     pub fn block(&mut self, window: usize, instruments: &mut Instruments<'_>) {
-        for _attempt in 0..MOST_ATTEMPTS {
+        for attempt in 1..=MOST_ATTEMPTS {
             if self.invalid.is_some() {
                 return;
             }
             let order = self.lay_out(window, instruments.rng);
             self.time(window, order.as_deref(), instruments);
             let quiet = self.pending.is_some_and(|sample| !sample.crowded);
-            if quiet || *instruments.spare_blocks == 0 {
+            if quiet || attempt == MOST_ATTEMPTS || *instruments.spare_blocks == 0 {
                 return;
             }
             *instruments.spare_blocks -= 1;
