@@ -11,7 +11,7 @@ use super::affinity::run_on;
 use super::chain::{CYCLES_PER_STEP, Chain};
 use super::clock::Clock;
 use crate::job::{Block, Job};
-use crate::stats::median;
+use std::collections::BTreeMap;
 use std::hint::black_box;
 
 /// What was read at one moment.
@@ -53,9 +53,12 @@ const TESTS: usize = 400;
 /// resolution makes of 2 us. Beyond that the reading itself was disturbed.
 const AGREEING: f64 = 0.03;
 
-/// Readings that are looked at together: more than half of them would have to be wrong to be
-/// believed.
-const TOGETHER: usize = 9;
+/// Share of all quotients that may lie below what counts as alone. Some are too small, where the
+/// chain was held up and the kernel was not; and a core need not be alone more often than that.
+const BELOW: f64 = 0.1;
+
+/// Width of the classes that quotients are counted in, as a relative difference.
+const CLASS: f64 = 0.0025;
 
 /// How much more than alone is a neighbour. Alone, readings lie within 1 % of each other; with one
 /// they are 1.2 to 1.5 times as much, or less if he was there for a part of the reading only.
@@ -77,9 +80,9 @@ pub struct NeighbourRuler {
     kernel: Box<dyn Job>,
     /// Processors to choose from; with less than two there is no choice.
     cpus: Vec<usize>,
-    recent: Vec<f64>,
-    /// Least quotient of the two that lasted: what it is without a neighbour.
-    alone: f64,
+    /// How often each quotient of the two was read, by its class.
+    quotients: BTreeMap<i32, u64>,
+    readings: u64,
 }
 
 impl NeighbourRuler {
@@ -92,8 +95,8 @@ impl NeighbourRuler {
             chain: Chain::new(STEPS),
             kernel,
             cpus,
-            recent: Vec::new(),
-            alone: f64::INFINITY,
+            quotients: BTreeMap::new(),
+            readings: 0,
         };
         for _ in 0..5000 {
             ruler.read(clock);
@@ -109,12 +112,17 @@ impl NeighbourRuler {
 
     /// Learns from a quotient what it is alone, and tells whether this one is more.
     fn is_crowded(&mut self, quotient: f64) -> bool {
-        self.recent.push(quotient);
-        if self.recent.len() == TOGETHER {
-            self.alone = median(&self.recent).map_or(self.alone, |m| m.min(self.alone));
-            self.recent.clear();
+        let class = (quotient.ln() / CLASS).floor() as i32;
+        *self.quotients.entry(class).or_default() += 1;
+        self.readings += 1;
+        let mut below = (BELOW * self.readings as f64) as u64;
+        for (&alone, &times) in &self.quotients {
+            if below < times {
+                return f64::from(class - alone) * CLASS > CROWDED.ln();
+            }
+            below -= times;
         }
-        quotient > CROWDED * self.alone
+        false
     }
 }
 
@@ -161,39 +169,40 @@ mod tests {
     use crate::measure::ScriptedClock;
 
     fn ruler() -> NeighbourRuler {
-        let chain = || Chain::new(STEPS);
-        let (kernel, recent) = (Box::new(chain()), Vec::new());
-        NeighbourRuler { chain: chain(), kernel, cpus: vec![], recent, alone: f64::INFINITY }
+        NeighbourRuler {
+            chain: Chain::new(STEPS),
+            kernel: Box::new(Chain::new(STEPS)),
+            cpus: vec![],
+            quotients: BTreeMap::new(),
+            readings: 0,
+        }
+    }
+
+    /// Whether each is crowded, after `times` readings of `usual`.
+    fn crowded(usual: f64, times: usize, then: &[f64]) -> Vec<bool> {
+        let mut ruler = ruler();
+        (0..times).for_each(|_| {
+            ruler.is_crowded(usual);
+        });
+        then.iter().map(|quotient| ruler.is_crowded(*quotient)).collect()
     }
 
     #[test]
     fn a_neighbour_is_seen_once_the_processor_was_seen_without() {
-        let mut ruler = ruler();
-        assert!((0..9).all(|_| !ruler.is_crowded(2.25)));
-        let crowded = [2.24, 2.3, 4.4, 2.25, 2.4, 4.0].map(|quotient| ruler.is_crowded(quotient));
-        assert_eq!(crowded, [false, false, true, false, true, true]);
+        let found = crowded(1.74, 100, &[1.73, 1.75, 2.2, 1.78, 1.85, 2.6]);
+        assert_eq!(found, [false, false, true, false, true, true]);
     }
 
     #[test]
     fn begun_beside_a_neighbour_it_learns_better() {
-        let mut ruler = ruler();
-        assert!((0..30).all(|_| !ruler.is_crowded(4.4)));
-        (0..20).for_each(|_| {
-            ruler.is_crowded(2.25);
-        });
-        assert!(ruler.is_crowded(4.4) && !ruler.is_crowded(2.25));
+        let then: Vec<f64> = [vec![1.74; 20], vec![2.2]].concat();
+        assert_eq!(crowded(2.2, 100, &then).last(), Some(&true));
     }
 
     #[test]
-    fn a_disturbed_reading_teaches_nothing() {
-        let mut ruler = ruler();
-        (0..9).for_each(|_| {
-            ruler.is_crowded(2.25);
-        });
-        // The chain was interrupted, so the quotient is tiny.
-        for quotient in [0.04, 2.25, 0.04, 2.25, 2.25, 2.25, 2.25, 0.04, 0.04, 2.25, 2.3] {
-            assert!(!ruler.is_crowded(quotient), "{quotient}");
-        }
+    fn a_held_up_chain_teaches_nothing() {
+        let then: Vec<f64> = [vec![0.9; 10], vec![1.74]].concat();
+        assert_eq!(crowded(1.74, 100, &then).last(), Some(&false));
     }
 
     #[test]
