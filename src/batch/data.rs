@@ -2,6 +2,7 @@
 
 use std::hint::black_box;
 
+use super::aligned::Aligned;
 use super::nearest::{ANSWER_NUMBERS, RAY_NUMBERS, Scene};
 use super::pairs::Walk;
 use crate::job::{Answer, Block, Job, Tally};
@@ -39,7 +40,7 @@ pub type NearestLoop<E, T> = fn(Scene<'_, E, T>);
 /// Pairs of rays and records with the loop that tests them.
 pub struct PairsJob<E, T> {
     original: Vec<(Ray<E>, T)>,
-    laid_out: Vec<(Ray<E>, T)>,
+    laid_out: Aligned<(Ray<E>, T)>,
     run: PairsLoop<E, T>,
     code: fn(&Ray<E>, &T) -> u8,
 }
@@ -47,7 +48,7 @@ pub struct PairsJob<E, T> {
 impl<E: Element, T: Copy> PairsJob<E, T> {
     /// A job over `pairs`; `code` gives the exit of one test, for answers only.
     pub fn new(pairs: Vec<(Ray<E>, T)>, run: PairsLoop<E, T>, code: fn(&Ray<E>, &T) -> u8) -> Self {
-        PairsJob { laid_out: pairs.clone(), original: pairs, run, code }
+        PairsJob { laid_out: Aligned::new(&pairs), original: pairs, run, code }
     }
 }
 
@@ -62,7 +63,7 @@ impl<E: Element, T: Copy> Job for PairsJob<E, T> {
 
     fn run(&mut self, block: Block) -> Tally {
         let mut tally = Tally::default();
-        let pairs = self.laid_out.as_slice();
+        let pairs = &*self.laid_out;
         if block.literal {
             for pair in pairs[block.first..][..block.items].chunks_exact(1) {
                 tally = tally.plus((self.run)(Walk { pairs: pair, times: block.repeats }));
@@ -111,9 +112,9 @@ pub struct NearestJob<E, T> {
     lanes: usize,
     outputs: usize,
     original: Vec<E>,
-    laid_out: Vec<E>,
-    records: Vec<T>,
-    answers: Vec<E>,
+    laid_out: Aligned<E>,
+    records: Aligned<T>,
+    answers: Aligned<E>,
     run: NearestLoop<E, T>,
 }
 
@@ -136,10 +137,10 @@ impl<E: Element, T: Copy> NearestJob<E, T> {
         NearestJob {
             lanes,
             outputs,
-            laid_out: numbers.clone(),
+            laid_out: Aligned::new(&numbers),
             original: numbers,
-            records,
-            answers,
+            records: Aligned::new(&records),
+            answers: Aligned::new(&answers),
             run,
         }
     }
@@ -221,7 +222,7 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
         for number in &self.laid_out[block.first * ray..][..block.items * ray] {
             black_box(*number);
         }
-        for record in &self.records {
+        for record in self.records.iter() {
             black_box(*record);
         }
     }

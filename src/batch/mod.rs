@@ -3,6 +3,7 @@
 //! A loop is generic over everything and compiled once per form; the data that it reads are
 //! generic over kernel and element only.
 
+mod aligned;
 mod arithmetic;
 mod data;
 mod listed;

@@ -49,7 +49,7 @@ pub(super) fn draw(
     published: &Published,
 ) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
-    let mut ours = selection.points(figure, &figure.y)?;
+    let mut ours = selection.points_of_all(figure)?;
     let panels = select::distinct(&ours, |point| &point.panel);
     let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));

@@ -114,6 +114,10 @@ pub struct Figure {
     /// Column of the figure drawn, numeric. Not used by `counts`.
     #[serde(default)]
     pub y: String,
+    /// `bars` only: further figures beside `y`, in its unit; then a bar is named by its column, and
+    /// `series` must not be given.
+    #[serde(default)]
+    pub also: Vec<String>,
     /// `shares` only: column of the lower chart; without it there is no lower chart.
     pub y_below: Option<String>,
     /// Title of the x axis, if the column's own will not do.
@@ -185,7 +189,8 @@ impl Figure {
     /// Refuses a key that the kind of chart does not look at: it would be silently without effect.
     fn validate_use(&self) -> Result<(), ChartError> {
         use Kind::{Bars, Lines, Shares};
-        let uses: [(&'static str, bool, &[Kind]); 9] = [
+        let uses: [(&'static str, bool, &[Kind]); 10] = [
+            ("also", !self.also.is_empty(), &[Bars]),
             ("x", !self.x.list().is_empty(), &[Lines, Bars, Shares]),
             ("y", !self.y.is_empty(), &[Lines, Bars, Shares]),
             ("y_below", self.y_below.is_some(), &[Shares]),
@@ -205,6 +210,7 @@ impl Figure {
 
     fn validate_axes(&self) -> Result<(), ChartError> {
         self.numeric_column("y", &self.y)?;
+        self.also.iter().try_for_each(|column| self.numeric_column("also", column))?;
         if let Some(column) = &self.y_below {
             self.numeric_column("y_below", column)?;
         }

@@ -77,6 +77,19 @@ impl<'a> Selection<'a> {
         Ok(points.into_iter().map(|(point, _)| point).collect())
     }
 
+    /// The points of `y` and of what stands beside it; with several, the series is the column.
+    pub fn points_of_all(&self, figure: &Figure) -> Result<Vec<Point>, ChartError> {
+        if figure.also.is_empty() {
+            return self.points(figure, &figure.y);
+        }
+        let mut points = Vec::new();
+        for column in std::iter::once(&figure.y).chain(&figure.also) {
+            let of_column = self.points(figure, column)?.into_iter();
+            points.extend(of_column.map(|point| Point { series: column.clone(), ..point }));
+        }
+        Ok(points)
+    }
+
     /// Where the figures come from: experiment, number of rows, rounds, pairs, seed.
     pub fn source(&self) -> String {
         let mut parts = vec![self.distinct("experiment", "", "experiments")];
@@ -139,9 +152,10 @@ fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
         "ratio_to_reference" => (row.ratio_low?, row.ratio_high?),
         "price" => (row.price_low?, row.price_high?),
         "ns_per_test" => (row.ns_low?, row.ns_high?),
-        "seconds" | "cycles_per_test" => {
-            (y * row.ns_low? / row.ns_per_test?, y * row.ns_high? / row.ns_per_test?)
-        }
+        "latency_ns_per_test" => (row.latency_ns_low?, row.latency_ns_high?),
+        "cold_ns_per_test" => (row.cold_ns_low?, row.cold_ns_high?),
+        "cycles_per_test" => (row.cycles_low?, row.cycles_high?),
+        "seconds" => (y * row.ns_low? / row.ns_per_test?, y * row.ns_high? / row.ns_per_test?),
         "mtests_per_s" => (y * row.ns_per_test? / row.ns_high?, y * row.ns_per_test? / row.ns_low?),
         _ => return None,
     };

@@ -14,7 +14,8 @@
 //! and both halves of the rounds see it: only what changes against others measured in the same
 //! rounds, while these stay what they were, is a change of the code. So the reference, whose own
 //! ratio is always 1, is confirmed by the ratios of the others, which fall when it rises; alone in
-//! its group it is not confirmed. Nor is what makes a whole group slower at once.
+//! its group it is not confirmed. Nor is what makes a whole group slower at once, and what was
+//! measured beside such a neighbour.
 //!
 //! One process has its own luck with addresses, which no round of it shows. What must not fail by
 //! chance repeats the comparison with fresh processes, as `scripts/compare_commits.sh` does.
@@ -68,7 +69,7 @@ pub(super) fn judge(
         ("ratio_to_reference", ratio),
     ];
     let floor = noise_floor(base).max(noise_floor(new)).max(LEAST_FLOOR).ln_1p();
-    let steady = references.steady(new, threshold.log());
+    let steady = references.steady(new, threshold.log()) && !is_crowded(base) && !is_crowded(new);
     let outcomes = figures.into_iter().filter_map(|(figure, quotient)| {
         let mut quotient = quotient?;
         quotient.halves = quotient.halves.filter(|_| steady);
@@ -107,6 +108,12 @@ fn outcome(quotient: Quotient, threshold: f64, floor: f64) -> Outcome {
     } else {
         Outcome::Wide
     }
+}
+
+/// Whether a row was measured beside a neighbour on the core: what he takes differs from kernel to
+/// kernel, and no round shows it.
+fn is_crowded(row: &Row) -> bool {
+    row.crowded_share.is_some_and(|share| share > 0.0)
 }
 
 /// Whether the figures of a row stand.

@@ -104,11 +104,12 @@ impl Scene {
         order: Order,
         seed: u64,
     ) -> Result<Self, WorkloadError> {
-        let rays =
-            if order == Order::Reshuffled { workload.reshuffled_rays } else { workload.rays };
+        let (rays, triangles) = match order {
+            Order::Reshuffled => (workload.reshuffled_rays, workload.triangles),
+            Order::Fixed | Order::Literal => (workload.rays, workload.fixed_triangles),
+        };
         let kind = workload.coherence;
-        let set =
-            NearestSet::draw(NearestSpec { triangles: workload.triangles, rays, kind, seed })?;
+        let set = NearestSet::draw(NearestSpec { triangles, rays, kind, seed })?;
         let facts = Facts {
             workload: format!("nearest-{}", kind.word()),
             query: QueryKind::Ray.word(),

@@ -50,8 +50,9 @@ pub struct PairsWorkload {
     pub seconds_of_tests: Option<f64>,
 }
 
+/// Fifteen kernels in turn stay within what a branch predictor remembers.
 fn fixed_pairs() -> usize {
-    1000
+    500
 }
 
 fn reshuffled_pairs() -> usize {
@@ -62,9 +63,12 @@ fn reshuffled_pairs() -> usize {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NearestWorkload {
-    /// Number of triangles.
+    /// Number of triangles in `reshuffled` order.
     #[serde(default = "triangles")]
     pub triangles: usize,
+    /// Number of triangles in `fixed` order.
+    #[serde(default = "fixed_triangles")]
+    pub fixed_triangles: usize,
     /// Rays in `fixed` order; a multiple of 16.
     #[serde(default = "fixed_rays")]
     pub rays: usize,
@@ -82,8 +86,13 @@ fn triangles() -> usize {
     256
 }
 
+/// With as many triangles as this, 512 tests: as few as of pairs.
+fn fixed_triangles() -> usize {
+    32
+}
+
 fn fixed_rays() -> usize {
-    48
+    16
 }
 
 fn reshuffled_rays() -> usize {
@@ -200,9 +209,10 @@ impl NearestWorkload {
                         reshuffled (one ray's walk over all triangles is one item)"
                 .to_owned());
         }
-        for (key, rays) in [("rays", self.rays), ("reshuffled_rays", self.reshuffled_rays)] {
-            let spec =
-                NearestSpec { triangles: self.triangles, rays, kind: self.coherence, seed: 0 };
+        let fixed = ("rays", self.rays, self.fixed_triangles);
+        let reshuffled = ("reshuffled_rays", self.reshuffled_rays, self.triangles);
+        for (key, rays, triangles) in [fixed, reshuffled] {
+            let spec = NearestSpec { triangles, rays, kind: self.coherence, seed: 0 };
             spec.validate().map_err(|error| format!("workload.{key}: {error}"))?;
         }
         Ok(())

@@ -4,19 +4,14 @@ use super::calibrate::{repeats, shortest_ns, timed};
 use super::clock::Clock;
 use super::contestant::Contestant;
 use super::protocol::{Order, Protocol};
-use super::shuffle::permutation;
+use super::shuffle::{permutation, shuffle};
 use crate::job::{Block, Job};
 use rand_pcg::Pcg64Mcg;
 
 /// Least repeats in a row of an item under [`Order::Literal`]: the mispredictions where one item
-/// follows another (a few ns each) are spread over so many tests.
-const LEAST_IN_A_ROW: usize = 64;
-
-/// Repeats in a row where the rounds suffice to visit every item at that.
-const WANTED_IN_A_ROW: usize = 256;
-
-/// Least passes of a block under [`Order::Fixed`].
-const LEAST_PASSES: u64 = 4;
+/// follows another (a few ns each) are spread over so many tests. Not more, so that a block has as
+/// many items as it can and one block is like another.
+const IN_A_ROW: usize = 64;
 
 /// Items that are looked at to guess what an item costs under [`Order::Literal`].
 const PROBED_ITEMS: usize = 256;
@@ -27,23 +22,33 @@ pub(super) struct Plan {
     /// The order that its items are done in.
     pub order: Order,
     /// The items are cut into so many windows of equal size (within one item); a block is one of
-    /// them, the next round's block the next. Under [`Order::Reshuffled`] it is always 1.
+    /// them, the next round's block the next.
     pub windows: usize,
     /// Repeats of a block, the same in all rounds.
     pub repeats: usize,
-    /// Under [`Order::Reshuffled`]: the block is so many items from the start of the permutation.
-    pub prefix: usize,
 }
 
 impl Plan {
-    /// The block of window `window` (taken modulo the number of windows) of `items` items.
+    /// The items of window `window` (taken modulo the number of windows) of `items` items.
+    pub fn range(&self, items: usize, window: usize) -> (usize, usize) {
+        cut(items, self.windows, window % self.windows)
+    }
+
+    /// The items of a window in a new random order, in front of the others.
+    pub fn new_order(&self, items: usize, window: usize, rng: &mut Pcg64Mcg) -> Vec<u32> {
+        let (first, end) = self.range(items, window);
+        let mut order: Vec<u32> = (first as u32..end as u32).collect();
+        shuffle(rng, &mut order);
+        order.extend((0..first as u32).chain(end as u32..items as u32));
+        order
+    }
+
+    /// The block of a window. Under [`Order::Reshuffled`] its items were laid out in front.
     pub fn block(&self, items: usize, window: usize) -> Block {
+        let (first, end) = self.range(items, window);
         let (literal, repeats) = (self.order == Order::Literal, self.repeats);
-        if self.order == Order::Reshuffled {
-            return Block { first: 0, items: self.prefix, repeats, literal };
-        }
-        let (first, end) = cut(items, self.windows, window % self.windows);
-        Block { first, items: end - first, repeats, literal }
+        let in_front = self.order == Order::Reshuffled;
+        Block { first: if in_front { 0 } else { first }, items: end - first, repeats, literal }
     }
 }
 
@@ -80,29 +85,36 @@ pub(super) fn shared_windows(
     windows.min(smallest)
 }
 
-/// Tests that a branch predictor remembers, of all the contestants that take turns: what cores of
-/// the early 2020s did. Where a machine remembers less, the time alone shows it.
-pub const PREDICTED_TESTS: usize = 16_000;
+/// Tests that a branch predictor is sure to remember, of all the contestants that take turns. One
+/// kernel alone is remembered over four times as many (32 000 on a Zen 4); ten kernels of 1000
+/// tests were, and fourteen were not. Where a machine remembers less, the time alone shows it.
+pub const PREDICTED_TESTS: usize = 8_000;
 
-/// One, unless a pass takes so long that a block would have less than four: the first of them is
-/// not yet foreseen as the others are.
+/// One, unless a pass takes more than [`MOST_BLOCKS`]: the rounds of a set that is not cut are
+/// alike.
 fn fixed_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
     let whole = Block::whole(job);
-    let pass_ns = shortest_ns(job, whole, clock);
-    pass_ns.saturating_mul(LEAST_PASSES).div_ceil(protocol.block_ns) as usize
+    in_blocks(shortest_ns(job, whole, clock), protocol.block_ns)
 }
 
-/// As many as give [`WANTED_IN_A_ROW`] repeats, but not so many that some are never visited,
-/// unless fewer leave less than [`LEAST_IN_A_ROW`].
+/// Blocks that a pass is cut into.
+fn in_blocks(pass_ns: u64, block_ns: u64) -> usize {
+    if pass_ns as f64 <= MOST_BLOCKS * block_ns as f64 {
+        return 1;
+    }
+    pass_ns.div_ceil(block_ns) as usize
+}
+
+/// A pass of up to so many blocks is left whole.
+const MOST_BLOCKS: f64 = 2.5;
+
+/// As many as give [`IN_A_ROW`] repeats.
 fn literal_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
     let items = job.items().min(PROBED_ITEMS);
-    let probe = Block { first: 0, items, repeats: LEAST_IN_A_ROW, literal: true };
-    let item_ns = shortest_ns(job, probe, clock) as f64 / (items * LEAST_IN_A_ROW) as f64;
-    let windows = |in_a_row: usize| {
-        let pass_ns = item_ns * job.items() as f64 * in_a_row as f64;
-        (pass_ns / protocol.block_ns as f64).ceil() as usize
-    };
-    windows(WANTED_IN_A_ROW).min(protocol.rounds).max(windows(LEAST_IN_A_ROW)).max(1)
+    let probe = Block { first: 0, items, repeats: IN_A_ROW, literal: true };
+    let item_ns = shortest_ns(job, probe, clock) as f64 / items as f64;
+    let pass_ns = item_ns * job.items() as f64;
+    ((pass_ns / protocol.block_ns as f64).ceil() as usize).max(1)
 }
 
 /// The plan of one contestant, calibrated by itself.
@@ -114,18 +126,17 @@ pub(super) fn plan(
     rng: &mut Pcg64Mcg,
 ) -> Plan {
     let job = contestant.job.as_mut();
-    let prefix = job.items();
-    let mut plan = Plan { order: protocol.order, windows: shared_windows, repeats: 1, prefix };
+    let mut plan = Plan { order: protocol.order, windows: shared_windows, repeats: 1 };
     if contestant.role.is_orderless() {
         plan.order = Order::Fixed;
         plan.windows = 1;
     }
     let least = match plan.order {
         Order::Reshuffled => {
-            plan.prefix = reshuffled_prefix(job, protocol.block_ns, clock, rng);
+            plan.windows = reshuffled_windows(job, protocol.block_ns, clock, rng);
             return plan;
         }
-        Order::Literal => LEAST_IN_A_ROW,
+        Order::Literal => IN_A_ROW,
         Order::Fixed => 1,
     };
     let block = plan.block(job.items(), 0);
@@ -135,13 +146,12 @@ pub(super) fn plan(
 
 /// The plan of a cold contestant: one item a block, the next round's block the next item.
 pub(super) fn cold_plan(items: usize) -> Plan {
-    Plan { order: Order::Fixed, windows: items, repeats: 1, prefix: items }
+    Plan { order: Order::Fixed, windows: items, repeats: 1 }
 }
 
-/// All items, unless a pass takes more than 2.5 blocks: then as many as a block has time for.
-/// Each trial pass has a permutation of its own, for a second pass over one is 2 to 4 times
-/// faster than the first.
-fn reshuffled_prefix(
+/// Each trial pass has a permutation of its own, for a second pass over one is 2 to 4 times faster
+/// than the first.
+fn reshuffled_windows(
     job: &mut dyn Job,
     block_ns: u64,
     clock: &mut dyn Clock,
@@ -153,25 +163,27 @@ fn reshuffled_prefix(
         job.permute(&permutation(rng, items));
         pass_ns = pass_ns.min(timed(job, whole, clock).0);
     }
-    if pass_ns as f64 <= 2.5 * block_ns as f64 {
-        return items;
-    }
-    ((items as f64 * block_ns as f64 / pass_ns as f64) as usize).max(1)
+    in_blocks(pass_ns, block_ns).min(items)
 }
 
-/// Gives the plan of a job of `items` items the reference's counts if they are within a factor of
-/// 1.5 of its own: different counts bias a ratio by about a per cent (nanobench), a block of 40
-/// or 90 us by less than shows. What is much slower or faster keeps its own.
+/// Gives a plan the reference's counts if they are near its own: different counts bias a ratio by
+/// about a per cent (nanobench), a block of 40 or 90 us by less than shows. Other windows would
+/// also be other items, so there a block may be 24 to 150 us. What is much slower or faster keeps
+/// its own.
 pub(super) fn align(plan: &mut Plan, items: usize, reference: Plan) {
-    let is_near = |own: usize, other: usize| own * 3 >= other * 2 && own * 2 <= other * 3;
+    let within = |own: usize, other: usize, times: f64| {
+        let quotient = own as f64 / other as f64;
+        quotient <= times && 1.0 / quotient <= times
+    };
     if plan.order != reference.order {
         return;
     }
-    if is_near(plan.repeats, reference.repeats) {
+    if within(plan.repeats, reference.repeats, 1.5) {
         plan.repeats = reference.repeats;
     }
-    if is_near(plan.prefix, reference.prefix) {
-        plan.prefix = reference.prefix.min(items);
+    let reshuffled = plan.order == Order::Reshuffled;
+    if reshuffled && reference.windows <= items && within(plan.windows, reference.windows, 2.5) {
+        plan.windows = reference.windows;
     }
 }
 

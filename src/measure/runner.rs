@@ -11,9 +11,11 @@ use super::guard;
 use super::plan::Plan;
 use super::protocol::Order;
 use super::ruler::{Reading, Ruler};
-use super::shuffle::permutation;
 use crate::stats::median;
 use rand_pcg::Pcg64Mcg;
+
+/// Passes over a replayed set, timed or not, until it is known.
+const WARM_PASSES: usize = 4;
 
 /// Attempts at a block beside a neighbour: his visits last 15 us to 5 ms where we looked.
 const MOST_ATTEMPTS: usize = 8;
@@ -96,7 +98,7 @@ impl<'a> Runner<'a> {
         Runner {
             contestant,
             expectation,
-            plan: Plan { order: Order::Fixed, windows: 1, repeats: 1, prefix: 0 },
+            plan: Plan { order: Order::Fixed, windows: 1, repeats: 1 },
             samples: Vec::new(),
             pending: None,
             solo_ns: None,
@@ -128,11 +130,13 @@ impl<'a> Runner<'a> {
             Order::Literal => None,
             Order::Fixed => {
                 let block = self.plan.block(job.items(), window);
-                warm_up(job, block);
+                // A block of few passes would be timed while they are still being learned.
+                let passes = WARM_PASSES.saturating_sub(block.repeats).max(1);
+                (0..passes).for_each(|_| warm_up(job, block));
                 None
             }
             Order::Reshuffled => {
-                let order = permutation(rng, job.items());
+                let order = self.plan.new_order(job.items(), window, rng);
                 job.permute(&order);
                 Some(order)
             }

@@ -47,7 +47,7 @@ pub struct ScriptedJob {
     cost_ns: u64,
     /// What each call takes besides, however much it does.
     pub once_ns: u64,
-    /// Whether it takes twice the time unless it ran twice before with nobody in between.
+    /// Whether it takes twice the time unless it ran four times before with nobody in between.
     pub forgetful: bool,
     number: usize,
     order: Vec<u32>,
@@ -103,7 +103,7 @@ impl Job for ScriptedJob {
         let (last, streak) = script.last.get();
         let streak = if last == self.number { streak } else { 0 };
         script.last.set((self.number, streak + 1));
-        if self.forgetful && streak < 2 {
+        if self.forgetful && streak < 4 {
             cost *= 2;
         }
         match script.hiccup.get() {
