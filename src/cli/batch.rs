@@ -42,7 +42,7 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
         return dry_run(&plans, profile);
     }
     let _lock = lock::take()?;
-    let (instruments, environment) = Instruments::set_up(batch.pin);
+    let (instruments, environment) = Instruments::set_up(batch.pin)?;
     let hash = config_hash(&plans, &sources, batch, &environment);
     let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
     let before = plans
@@ -194,7 +194,8 @@ fn measure(
         }
     }
     bar.finish_and_clear();
-    writeln!(std::io::stdout(), "{}", folder.path().display())?;
+    // Everything is saved: a stdout that is closed does not change what came of it.
+    let _ = writeln!(std::io::stdout(), "{}", folder.path().display());
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Wrong(wrong)) }
 }
 

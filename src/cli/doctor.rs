@@ -32,7 +32,7 @@ pub fn run(arguments: &Doctor) -> Result<(), Failure> {
         )));
     }
     let _lock = lock::take()?;
-    let (mut instruments, environment) = Instruments::set_up(arguments.pin);
+    let (mut instruments, environment) = Instruments::set_up(arguments.pin)?;
     let cancel = interrupt::flag();
     let (mut silent, mut keep) = (|_: usize| {}, KeepNothing);
     let mut bench = instruments.bench(Profile::Quick.rounds(), &mut silent, cancel, &mut keep);

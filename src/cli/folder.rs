@@ -171,6 +171,10 @@ impl Folder {
             if [JOURNAL, ROWS].into_iter().any(|name| self.file(id, name).exists()) {
                 self.begin(plan, Before::Nothing)?;
             }
+            // The journal stands: what was there before is of another run.
+            for name in [ROWS, "rows.csv"] {
+                std::fs::remove_file(self.file(id, name)).ok();
+            }
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! What measuring needs of this machine, set up once per run.
 
+use super::failure::Failure;
 use crate::experiment::{Bench, Distraction, Keep};
 use crate::job::Job;
 use crate::level::levels;
@@ -23,7 +24,17 @@ pub struct Instruments {
 impl Instruments {
     /// Sets everything up on the calling thread, and tells where: what of it this machine has is
     /// in the environment.
-    pub fn set_up(wanted: Pin) -> (Self, Environment) {
+    ///
+    /// # Errors
+    /// Usage, for a processor that the thread may not run on.
+    pub fn set_up(wanted: Pin) -> Result<(Self, Environment), Failure> {
+        if let (Pin::Cpu(cpu), Ok(allowed)) = (wanted, allowed_cpus())
+            && !allowed.contains(&cpu)
+        {
+            return Err(Failure::Usage(format!(
+                "--pin: processor {cpu} is not allowed; allowed: auto, off, or one of {allowed:?}"
+            )));
+        }
         let mut clock = WallClock::new();
         // Before the pinning, which would hide the other processors.
         let mut environment = Environment::capture(&mut clock);
@@ -35,8 +46,11 @@ impl Instruments {
             Pin::Off | Pin::Cpu(_) => Vec::new(),
         };
         let pinned = pin(wanted, &mut clock, &mut disturbance);
-        environment.pinned_cpu = pinned.cpu;
-        environment.pin_note = Some(pinned.note);
+        environment.pinned_cpu = pinned.cpu.filter(|_| cpus.len() < 2);
+        environment.pin_note = Some(match cpus.len() {
+            0 | 1 => pinned.note,
+            _ => format!("before each group to whichever of {cpus:?} has no neighbour"),
+        });
         let counters: Box<dyn Counters> = match HardwareCounters::open() {
             Ok(counters) => Box::new(counters),
             Err(_) => Box::new(NoCounters),
@@ -46,7 +60,7 @@ impl Instruments {
             Some(kernel) => Box::new(NeighbourRuler::new(kernel, cpus, &mut clock)),
             None => Box::new(NoRuler),
         };
-        (Instruments { clock, disturbance, counters, forget, ruler }, environment)
+        Ok((Instruments { clock, disturbance, counters, forget, ruler }, environment))
     }
 
     /// A bench for groups of so many rounds, whose rows go to `keep`.

@@ -6,8 +6,8 @@
 //!
 //! A change counts if its estimate is beyond the threshold and beyond the noise floor of both runs,
 //! its interval leaves 1 out, and both halves of the rounds are beyond the threshold, each by
-//! itself. "The same" is a finding too: the whole interval lies within the threshold, or within
-//! the floor where that is wider. Everything else is unresolved.
+//! itself. "The same" is a finding too: the whole interval lies within the threshold. Everything
+//! else is unresolved, and so is what the noise floor alone hides.
 //!
 //! The halves are ratios to the reference, also where cycles are judged. Cycles of a whole group
 //! can change by half between two runs of one program, when a neighbour comes to share the core,
@@ -97,8 +97,7 @@ fn outcome(quotient: Quotient, threshold: f64, floor: f64) -> Outcome {
     let leaves_one_out = |(low, high): (f64, f64)| sign * low > 0.0 && sign * high > 0.0;
     let confirmed = quotient.interval.is_some_and(leaves_one_out)
         && quotient.halves.is_some_and(|(first, second)| beyond(first) && beyond(second));
-    let within = threshold.max(floor);
-    let inside = |(low, high): (f64, f64)| -within < low && high < within;
+    let inside = |(low, high): (f64, f64)| -threshold < low && high < threshold;
     if beyond(quotient.estimate) && sign * quotient.estimate > floor && confirmed {
         Outcome::Changed
     } else if quotient.interval.is_some_and(inside) {

@@ -97,8 +97,10 @@ fn of_disturbances(found: &Examination) -> Vec<String> {
     }
     let steal = found.interference.steal_ticks.filter(|ticks| *ticks > 0);
     if let Some(ticks) = steal {
-        sentences
-            .push(format!("A hypervisor took the processor away for {} ms meanwhile.", ticks * 10));
+        sentences.push(format!(
+            "A hypervisor took {} ms of all processors' time away meanwhile.",
+            ticks * 10
+        ));
     }
     sentences
 }

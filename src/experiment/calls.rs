@@ -1,11 +1,13 @@
 //! Single rays once more, as a program calls them that must know one answer before it asks the
 //! next question: how long an answer takes (latency), and how long a call takes whose code and
 //! branches have been forgotten since the last one (cold). Throughput ranks routines for loops;
-//! these rank them for the leaf of a hierarchy.
+//! these rank them for the leaf of a hierarchy. Where every ray is tested against all triangles,
+//! what is called is the walk of one ray, and the figures are those of a test of it.
 
 use super::cells::Bench;
 use crate::measure::{
-    Contestant, Dependent, Figures, GroupReport, Order, Pace, Protocol, ProtocolError, Role, Status,
+    Contestant, Dependent, Figures, GroupReport, Invalid, Order, Pace, Protocol, ProtocolError,
+    Role, Status,
 };
 use crate::table::Row;
 
@@ -74,10 +76,23 @@ fn put(
         if let Some(place) = place {
             match &figures.status {
                 Status::Ok => fill(&mut rows[*place], figures, floor),
-                Status::Invalid(reason) => rows[*place].reason = format!("as a call: {reason}"),
+                Status::Invalid(reason) => put_invalid(&mut rows[*place], reason),
             }
         }
     }
+}
+
+/// Other answers as a call than in a loop spoil the row; anything else leaves the columns empty.
+fn put_invalid(row: &mut Row, reason: &Invalid) {
+    if matches!(reason, Invalid::Interrupted { .. }) {
+        return;
+    }
+    if matches!(reason, Invalid::Hits { .. } | Invalid::Tally { .. }) {
+        row.status = "invalid".into();
+        row.verdict = "invalid".into();
+    }
+    let before = if row.reason.is_empty() { String::new() } else { format!("{}; ", row.reason) };
+    row.reason = format!("{before}as a call: {reason}");
 }
 
 fn put_latency(row: &mut Row, figures: &Figures, floor_ns: Option<f64>) {

@@ -273,8 +273,8 @@ fn mark_forgotten(row: &mut Row, scene: &Scene) {
     }
 }
 
-/// Time among others over time alone that is still put down to noise: the shortest of few blocks
-/// were within 3 % of each other where nothing was forgotten, and 2 to 5 times apart where it was.
+/// Time among others over time alone that is still put down to noise: the medians were within 3 %
+/// of each other where nothing was forgotten, and 1.1 to 3 times apart where it was.
 const MOST_OVER_SOLO: f64 = 1.1;
 
 /// Said of rows in `fixed` order whose branches may not all be remembered.

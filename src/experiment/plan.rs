@@ -98,7 +98,6 @@ impl Plan {
         let singles = ready.clone().filter(|variant| variant.lanes == 1).count();
         let ready = ready.count();
         if let Workload::Codes(codes) = &self.experiment.workload {
-            // Up to six exits and the chain.
             return ready * codes.orders.len() * rounds(USUAL_EXITS + CONTROLS);
         }
         if matches!(self.experiment.workload, Workload::Arithmetic) {

@@ -92,8 +92,12 @@ pub fn put_group(row: &mut Row, figures: &Figures, report: &GroupReport, ok: &st
         }
     }
     put_times(row, figures);
-    put_comparison(row, figures);
-    row.noise_floor = figures.ratio_to_reference.map(|_| report.noise_floor);
+    put_ratios(row, figures);
+    // Without copies of the reference nobody knows what a difference is.
+    if report.placebo_floor.is_some() {
+        put_verdict(row, figures);
+        row.noise_floor = figures.ratio_to_reference.map(|_| report.noise_floor);
+    }
     row.ratio_placebo = report.placebo_floor.map(f64::exp);
     row.empty_loop_share = figures.empty_loop_ratio;
     row.crowded_share = Some(report.crowded_share);
@@ -118,7 +122,7 @@ fn put_times(row: &mut Row, figures: &Figures) {
     row.solo_ratio = figures.solo_ratio;
 }
 
-fn put_comparison(row: &mut Row, figures: &Figures) {
+fn put_ratios(row: &mut Row, figures: &Figures) {
     if let Some(ratio) = &figures.ratio_to_reference {
         row.ratio_to_reference = Some(ratio.estimate);
         row.ratio_low = Some(ratio.low);
@@ -126,6 +130,9 @@ fn put_comparison(row: &mut Row, figures: &Figures) {
     }
     row.ratio_first_half = figures.ratio_first_half.as_ref().map(|ratio| ratio.estimate);
     row.ratio_second_half = figures.ratio_second_half.as_ref().map(|ratio| ratio.estimate);
+}
+
+fn put_verdict(row: &mut Row, figures: &Figures) {
     if let Some(decision) = &figures.decision {
         row.verdict = decision.verdict.word().into();
         row.p_value = Some(decision.p_value);

@@ -118,7 +118,8 @@ fn prepare(
         }
         runner.check_doubling(&mut surroundings.instruments(rng, &mut 0));
         if protocol.order == Order::Fixed && runner.invalid.is_none() {
-            runner.run_solo(surroundings.clock);
+            let mut spare_blocks = protocol.spare_blocks(1);
+            runner.run_solo(&mut surroundings.instruments(rng, &mut spare_blocks));
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Guards against measuring nothing: a test that was optimised away, or folded into fewer, takes
 //! less time than it can.
 
-use super::calibrate::{shortest_ns, timed};
+use super::calibrate::{timed, warm_up};
 use super::clock::Clock;
 use super::plan::Plan;
 use super::protocol::Order;
 use super::shuffle::permutation;
 use crate::job::{Block, Job};
-use crate::stats::{log_ratios, sign_interval};
+use crate::stats::{log_ratios, median, sign_interval};
 use rand_pcg::Pcg64Mcg;
 
 /// Operations that no core finishes more of in a cycle, per lane: four pipes (the widest cores
@@ -18,8 +18,11 @@ pub const MOST_OPERATIONS_PER_CYCLE: f64 = 8.0;
 /// noise, which is relative.
 const HALF_WAY: f64 = std::f64::consts::SQRT_2;
 
-/// How many times longer the block is than its half, if that is nearer to once than to twice, on
-/// two occasions. `None` where it is not, and for blocks of a single item that have no half.
+/// Occasions on which the two are timed; a neighbour who comes or goes in between spoils a few.
+const OCCASIONS: usize = 9;
+
+/// How many times longer the block is than its half, in the median, if that is nearer to once than
+/// to twice. `None` where it is not, and for blocks of a single item that have no half.
 pub(super) fn doubling(
     job: &mut dyn Job,
     plan: &Plan,
@@ -28,22 +31,32 @@ pub(super) fn doubling(
 ) -> Option<f64> {
     let whole = plan.block(job.items(), 0);
     let (half, share) = half_of(whole)?;
-    let mut times = 0.0;
-    for _occasion in 0..2 {
-        let mut ns = |block| match plan.order {
-            Order::Reshuffled => shortest_new_order_ns(job, block, clock, rng),
-            _ => shortest_ns(job, block, clock),
-        };
-        let half_ns = ns(half);
+    let mut ns = |block| match plan.order {
+        Order::Reshuffled => {
+            job.permute(&permutation(rng, job.items()));
+            timed(job, block, clock).0
+        }
+        Order::Fixed => {
+            warm_up(job, block);
+            timed(job, block, clock).0
+        }
+        Order::Literal => timed(job, block, clock).0,
+    };
+    let mut times = Vec::with_capacity(OCCASIONS);
+    for _ in 0..OCCASIONS {
+        let (half_ns, whole_ns) = (ns(half), ns(whole));
         // Time that stands still is another fault, and found by the first block.
-        let whole_ns = if half_ns > 0 { ns(whole) } else { return None };
+        if half_ns == 0 {
+            return None;
+        }
         // In terms of a true half, where an odd number has none.
-        times = whole_ns as f64 / half_ns as f64 * share * 2.0;
-        if times >= HALF_WAY {
+        times.push(whole_ns as f64 / half_ns as f64 * share * 2.0);
+        // Most do double at once.
+        if times.len() == 3 && times.iter().all(|times| *times >= HALF_WAY) {
             return None;
         }
     }
-    Some(times)
+    median(&times).filter(|times| *times < HALF_WAY)
 }
 
 /// Half of the repeats, else half of the items, and which share of the block it is.
@@ -54,21 +67,6 @@ fn half_of(whole: Block) -> Option<(Block, f64)> {
     }
     let items = whole.items / 2;
     (items > 0).then(|| (Block { items, ..whole }, items as f64 / whole.items as f64))
-}
-
-/// The shortest of three runs of `block`, each over an order of its own.
-fn shortest_new_order_ns(
-    job: &mut dyn Job,
-    block: Block,
-    clock: &mut dyn Clock,
-    rng: &mut Pcg64Mcg,
-) -> u64 {
-    let mut shortest = u64::MAX;
-    for _ in 0..3 {
-        job.permute(&permutation(rng, job.items()));
-        shortest = shortest.min(timed(job, block, clock).0);
-    }
-    shortest
 }
 
 /// Whether it cannot be told from an empty loop: the interval of its time over the loop's, both for

@@ -114,7 +114,8 @@ fn literal_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock
     let probe = Block { first: 0, items, repeats: IN_A_ROW, literal: true };
     let item_ns = shortest_ns(job, probe, clock) as f64 / items as f64;
     let pass_ns = item_ns * job.items() as f64;
-    ((pass_ns / protocol.block_ns as f64).ceil() as usize).max(1)
+    // Not so many that some are never visited.
+    ((pass_ns / protocol.block_ns as f64).ceil() as usize).clamp(1, protocol.rounds)
 }
 
 /// The plan of one contestant, calibrated by itself.

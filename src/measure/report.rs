@@ -48,6 +48,8 @@ pub(super) fn report(
     if protocol.pace == Pace::Throughput {
         guard_all(runners, &controls, floor);
     }
+    // Whoever failed has no samples left, the reference neither.
+    let controls = Controls::of(runners);
     let mut figures: Vec<Figures> =
         runners.iter().map(|runner| figures_of(runner, &controls, rounds)).collect();
     put_decisions(&mut figures, &controls, protocol.margin.max(floor));

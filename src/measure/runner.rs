@@ -17,6 +17,9 @@ use rand_pcg::Pcg64Mcg;
 /// Passes over a replayed set, timed or not, until it is known.
 const WARM_PASSES: usize = 4;
 
+/// Blocks that tell the time alone.
+const SOLO_BLOCKS: usize = 5;
+
 /// Attempts at a block beside a neighbour: his visits last 15 us to 5 ms where we looked.
 const MOST_ATTEMPTS: usize = 8;
 
@@ -211,14 +214,13 @@ impl<'a> Runner<'a> {
     }
 
     /// Takes the median of a few blocks in a row, with nobody in between.
-    pub fn run_solo(&mut self, clock: &mut dyn Clock) {
-        let job = self.contestant.job.as_mut();
-        let block = self.plan.block(job.items(), 0);
-        let mut solo = || {
-            warm_up(job, block);
-            timed(job, block, clock).0 as f64
-        };
-        self.solo_ns = median(&[solo(), solo(), solo(), solo(), solo()]).filter(|ns| *ns > 0.0);
+    pub fn run_solo(&mut self, instruments: &mut Instruments<'_>) {
+        let mut solo = Vec::with_capacity(SOLO_BLOCKS);
+        for _ in 0..SOLO_BLOCKS {
+            self.block(0, instruments);
+            solo.extend(self.pending.take().map(|sample| sample.ns as f64));
+        }
+        self.solo_ns = median(&solo).filter(|ns| *ns > 0.0);
     }
 
     /// Keeps the sample of the present round, or drops it. A neighbour of one block is one of the

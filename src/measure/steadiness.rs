@@ -49,6 +49,10 @@ fn pace(runners: &[Runner<'_>]) -> Option<f64> {
         let sum = |of: fn(&(f64, f64)) -> f64| blocks.iter().map(of).sum::<f64>();
         return Some(sum(|b| b.0) / sum(|b| b.1));
     }
+    if pending().any(|sample| sample.counts.is_some()) {
+        // Some were not counted: nothing that could be held against the other rounds.
+        return None;
+    }
     let chain = runners.iter().find(|r| r.contestant.role == Role::Chain)?.pending?;
     // In cycles by the ruler, where there is one: then the clock speed may change as it likes.
     Some(CYCLES_PER_STEP * chain.ns_per_cycle.unwrap_or(1.0) / chain.ns_per_test())

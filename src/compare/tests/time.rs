@@ -175,22 +175,22 @@ fn nanoseconds_judge_nothing() {
 }
 
 #[test]
-fn below_the_noise_floor_nothing_is_slower() {
+fn below_the_noise_floor_nothing_is_slower_and_nothing_the_same() {
     let noisy = |factor: f64| {
         with(move |row| {
             row.noise_floor = Some(0.08);
             slow(row, factor);
         })
     };
-    assert_eq!(at_3_percent(&base(), &noisy(1.05)).verdict, Verdict::Same);
+    assert_eq!(at_3_percent(&base(), &noisy(1.05)).verdict, Verdict::Unresolved);
     assert_eq!(at_3_percent(&base(), &noisy(1.1)).verdict, Verdict::Regressed);
     // Where the column is missing, the placebo speaks, and the noisier run counts.
     let placebo = with(|row| {
         row.ratio_placebo = Some(1.0 / 1.08);
         slow(row, 1.05);
     });
-    assert_eq!(at_3_percent(&base(), &placebo).verdict, Verdict::Same);
-    assert_eq!(at_3_percent(&placebo, &base()).verdict, Verdict::Same);
+    assert_eq!(at_3_percent(&base(), &placebo).verdict, Verdict::Unresolved);
+    assert_eq!(at_3_percent(&placebo, &base()).verdict, Verdict::Unresolved);
 }
 
 #[test]

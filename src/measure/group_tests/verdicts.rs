@@ -227,7 +227,8 @@ fn beside(at: std::ops::Range<usize>) -> (GroupReport, usize) {
         progress: &mut |_| {},
         cancel: &AtomicBool::new(false),
     };
-    let report = measure_group(&mut group, &protocol(Order::Fixed), &mut surroundings);
+    // Order literal: no blocks are run alone before the rounds.
+    let report = measure_group(&mut group, &protocol(Order::Literal), &mut surroundings);
     (report.expect("can be measured"), ruler.next)
 }
 
