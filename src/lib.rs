@@ -8,6 +8,7 @@
 //!  stats ────> measure <─ job ──────────────────────────────┘                 waist ─> compare ──┘
 //! ```
 //! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
+//! [`doctor`] measures a kernel against copies of itself, to tell what the machine is good for.
 //! The modules below stand in reading order.
 //!
 //! A kernel is a function of a [number](number::Real) and a [policy](policy::Policy). The same

@@ -42,8 +42,8 @@ impl Instruments {
         environment.levels = levels().into_iter().filter_map(has).collect();
         let mut disturbance = InvoluntarySwitches;
         let cpus = match wanted {
-            Pin::Auto => allowed_cpus().unwrap_or_default(),
-            Pin::Off | Pin::Cpu(_) => Vec::new(),
+            Pin::Auto if !has_two_kinds() => allowed_cpus().unwrap_or_default(),
+            _ => Vec::new(),
         };
         let pinned = pin(wanted, &mut clock, &mut disturbance);
         environment.pinned_cpu = pinned.cpu.filter(|_| cpus.len() < 2);
@@ -83,6 +83,11 @@ impl Instruments {
             keep,
         }
     }
+}
+
+/// Whether some processors are slower by design: Linux lists the two kinds of hybrid ones so.
+fn has_two_kinds() -> bool {
+    std::path::Path::new("/sys/devices/cpu_atom").exists()
 }
 
 /// Pairs of the ruler's kernel: near, and its whole time.

@@ -53,7 +53,8 @@ const QUIET: f64 = 0.1;
 /// a neighbour has much to do, seconds, and those are not waited for.
 const TURNS: usize = 30;
 
-/// Quotients of one processor.
+/// Quotients that were read, on whichever processor: one that is hardly ever alone would not be
+/// known by its own.
 #[derive(Clone, Debug, Default)]
 struct Quotients {
     /// How often each was read, by its class.
@@ -84,8 +85,7 @@ pub struct NeighbourRuler {
     kernel: Box<dyn Job>,
     /// Processors to choose from, the present one first; with none there is no choice.
     cpus: Vec<usize>,
-    /// By the place of the processor: not all are alike.
-    quotients: BTreeMap<Option<usize>, Quotients>,
+    quotients: Quotients,
     /// What a reading of the clock adds to what is timed, ns.
     clock_ns: f64,
     /// As [`AGREEING`], or more where the clock is coarse.
@@ -94,8 +94,8 @@ pub struct NeighbourRuler {
 
 impl NeighbourRuler {
     /// Over a kernel that computes everything of a few tests, so that nothing is predicted and no
-    /// data are far. `cpus` are the numbers of those that the thread may move between; none to
-    /// stay. Reads for about 0.4 s, on each of them in turn, to see one without a neighbour for a
+    /// data are far. `cpus` are the numbers of those that the thread may move between, all of one
+    /// kind; none to stay. Reads for about 0.4 s, on each of them in turn, to see one without a neighbour for a
     /// moment.
     pub fn new(kernel: Box<dyn Job>, cpus: Vec<usize>, clock: &mut dyn Clock) -> Self {
         let timer = timer_figures(clock);
@@ -104,7 +104,7 @@ impl NeighbourRuler {
             chain: Chain::new(STEPS),
             kernel,
             cpus,
-            quotients: BTreeMap::new(),
+            quotients: Quotients::default(),
             clock_ns: timer.cost_ns,
             // Two steps of the clock, where 8000 cycles are 2 us.
             agreeing: AGREEING.max(2.0 * resolution_ns / 2000.0),
@@ -158,8 +158,7 @@ impl Ruler for NeighbourRuler {
         let chain_ns = (before_ns + after_ns) / 2.0;
         let ns_per_cycle = chain_ns / (STEPS as f64 * CYCLES_PER_STEP);
         let disturbed = (after_ns / before_ns - 1.0).abs() > self.agreeing;
-        let here = self.quotients.entry(self.cpus.first().copied()).or_default();
-        let crowded = disturbed || here.is_crowded(kernel_ns / chain_ns);
+        let crowded = disturbed || self.quotients.is_crowded(kernel_ns / chain_ns);
         Some(Reading { ns_per_cycle, crowded })
     }
 
@@ -192,7 +191,7 @@ mod tests {
             chain: Chain::new(STEPS),
             kernel: Box::new(Chain::new(STEPS)),
             cpus: vec![],
-            quotients: BTreeMap::new(),
+            quotients: Quotients::default(),
             clock_ns: 0.0,
             agreeing: AGREEING,
         }

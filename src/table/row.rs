@@ -210,8 +210,9 @@ columns! {
     /// Share of the rounds in which a neighbour used the core as well; above 0 only where there were
     /// too few rounds without one.
     crowded_share: Option<f64>,
-    /// Single rays: median time from one answer to the next where each test waits for the answer
-    /// before it.
+    /// Single rays: median time from one answer to the next where each call waits for the answer
+    /// before it. A call is a test of a pair, or the walk of a ray over all triangles; the time is
+    /// that of a test, here and in the columns that follow.
     latency_ns_per_test: Option<f64>,
     /// Lower end of its interval.
     latency_ns_low: Option<f64>,
