@@ -3,7 +3,7 @@
 use super::slowed::Slowed;
 use super::ward::{DoctorError, Ward, measure};
 use crate::experiment::Bench;
-use crate::measure::{Contestant, Order, Role};
+use crate::measure::{Contestant, GroupReport, Order, Role};
 use crate::stats::Verdict;
 use std::sync::atomic::Ordering as Atomic;
 
@@ -79,8 +79,9 @@ impl InjectedTrials {
     }
 }
 
-/// Compares the reference with itself made slower by `share`, `trials` times or until cancelled,
-/// in order `fixed` (see [`Slowed`]).
+/// Compares the reference with itself made slower by `share`, `trials` times or until cancelled, in
+/// order `fixed`. The work added is a chain of known cycles, as many as the share makes of the
+/// cycles that the reference took in the trial before.
 ///
 /// # Errors
 /// When the reference cannot be measured.
@@ -92,13 +93,16 @@ pub fn injected_trials(
 ) -> Result<InjectedTrials, DoctorError> {
     let ward = Ward::new(Order::Fixed)?;
     let mut found = InjectedTrials { share, trials: Vec::new() };
+    let plain = measure(&mut ward.group(None)?, Order::Fixed, trials, bench)?;
+    let mut cycles = reference_cycles(&plain);
     for trial in 0..trials {
         if bench.cancel.load(Atomic::Relaxed) {
             break;
         }
+        let Some(before) = cycles else { return Err(DoctorError::NoReference) };
         let mut group = ward.group(None)?;
         let plain = ward.reference(Role::Subject)?;
-        let job = Box::new(Slowed::new(plain.job, share));
+        let job = Box::new(Slowed::new(plain.job, share * before));
         group.push(Contestant { id: "slowed".to_owned(), job, ..plain });
         let report = measure(&mut group, Order::Fixed, trial, bench)?;
         let slowed = report.figures.last();
@@ -108,9 +112,15 @@ pub fn injected_trials(
             let slower = decision.verdict == Verdict::Slower;
             found.trials.push((slower, ratio.estimate - 1.0));
         }
+        cycles = reference_cycles(&report).or(cycles);
         tell(trial + 1);
     }
     Ok(found)
+}
+
+fn reference_cycles(report: &GroupReport) -> Option<f64> {
+    let reference = report.figures.iter().find(|figures| figures.role == Role::Reference);
+    reference.and_then(|figures| figures.cycles_per_test)
 }
 
 #[cfg(test)]
