@@ -26,9 +26,10 @@ const TESTS: usize = 400;
 /// 30 ns makes of either. Beyond that the reading itself was disturbed.
 const AGREEING: f64 = 0.03;
 
-/// Share of all quotients that may lie below what counts as alone. Some are too small, where the
-/// chain was held up and the kernel was not; and a core need not be alone more often than that.
-const BELOW: f64 = 0.1;
+/// Share of all quotients that may lie below what counts as alone. Less than one in a thousand is
+/// too small, where the chain was held up and the kernel was not; and a core that is alone for one
+/// reading in fifty is known.
+const BELOW: f64 = 0.02;
 
 /// Width of the classes that quotients are counted in, as a relative difference.
 const CLASS: f64 = 0.0025;
@@ -214,13 +215,13 @@ mod tests {
 
     #[test]
     fn begun_beside_a_neighbour_it_learns_better() {
-        let then: Vec<f64> = [vec![1.74; 20], vec![2.2]].concat();
+        let then: Vec<f64> = [vec![1.74; 4], vec![2.2]].concat();
         assert_eq!(crowded(2.2, 100, &then).last(), Some(&true));
     }
 
     #[test]
     fn a_held_up_chain_teaches_nothing() {
-        let then: Vec<f64> = [vec![0.9; 10], vec![1.74]].concat();
+        let then: Vec<f64> = vec![0.9, 1.74];
         assert_eq!(crowded(1.74, 100, &then).last(), Some(&false));
     }
 
