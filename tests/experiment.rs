@@ -24,6 +24,7 @@ fn run_until(text: &str, blocks: usize, keep: &mut dyn Keep) -> Outcome {
     };
     let mut bench = Bench {
         rounds: 16,
+        patience: 0,
         clock: &mut ScriptedClock::new(60_000),
         disturbance: &mut Undisturbed,
         counters: &mut NoCounters,
@@ -197,6 +198,7 @@ fn rows_of_another_workload_are_refused() {
     let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
     let mut bench = Bench {
         rounds: 16,
+        patience: 0,
         clock: &mut ScriptedClock::new(60_000),
         disturbance: &mut Undisturbed,
         counters: &mut NoCounters,

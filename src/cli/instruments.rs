@@ -73,6 +73,7 @@ impl Instruments {
     ) -> Bench<'a> {
         Bench {
             rounds,
+            patience: PATIENCE,
             clock: &mut self.clock,
             disturbance: &mut self.disturbance,
             counters: self.counters.as_mut(),
@@ -89,6 +90,9 @@ impl Instruments {
 fn has_two_kinds() -> bool {
     std::path::Path::new("/sys/devices/cpu_atom").exists()
 }
+
+/// Groups of one experiment that are measured again beside a neighbour: some seconds at most.
+const PATIENCE: u32 = 6;
 
 /// Pairs of the ruler's kernel: near, and its whole time.
 const PAIRS: usize = 64;

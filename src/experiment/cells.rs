@@ -1,6 +1,7 @@
 //! One cell: variants on one scene in one order. Checked, then measured together.
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use super::calls;
 use super::keep::Keep;
@@ -26,10 +27,17 @@ const PLACEBOS: usize = 2;
 /// Reference, placebos, empty loop and chain.
 pub const CONTROLS: usize = 3 + PLACEBOS;
 
+/// Time that a neighbour is given to leave before a group is measured again: his long visits were
+/// of half a second to some seconds.
+const WAIT: Duration = Duration::from_millis(300);
+
 /// What a cell is measured with.
 pub struct Bench<'a> {
     /// Rounds of every group.
     pub rounds: usize,
+    /// How many groups may still be measured again because a neighbour did not leave them enough
+    /// rounds: he may have gone by then.
+    pub patience: u32,
     /// Tells the time.
     pub clock: &'a mut dyn Clock,
     /// Tells whether a round was disturbed.
@@ -65,11 +73,30 @@ impl Bench<'_> {
         )
     }
 
-    /// Measures a group by a protocol of its own and tells the progress.
+    /// Measures a group by a protocol of its own and tells the progress; again, while patience
+    /// lasts, if it was beside a neighbour to its end.
     ///
     /// # Errors
     /// A group that cannot be measured.
     pub fn measure_as(
+        &mut self,
+        contestants: &mut [Contestant],
+        protocol: &Protocol,
+    ) -> Result<GroupReport, ProtocolError> {
+        let mut report = self.measure_once(contestants, protocol)?;
+        while report.crowded_share > 0.0 && self.patience > 0 && !report.cancelled {
+            self.patience -= 1;
+            std::thread::sleep(WAIT);
+            let again = self.measure_once(contestants, protocol)?;
+            // Never given up for one that was cut short.
+            if !again.cancelled {
+                report = again;
+            }
+        }
+        Ok(report)
+    }
+
+    fn measure_once(
         &mut self,
         contestants: &mut [Contestant],
         protocol: &Protocol,
