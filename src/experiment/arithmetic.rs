@@ -1,6 +1,6 @@
 //! Multiplications and additions alone: how much wider registers can gain at most.
 
-use super::cells::Bench;
+use super::bench::Bench;
 use super::rows::put_group;
 use super::run::Trouble;
 use crate::batch::OPERATIONS;

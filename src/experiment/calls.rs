@@ -4,7 +4,7 @@
 //! these rank them for the leaf of a hierarchy. Where every ray is tested against all triangles,
 //! what is called is the walk of one ray, and the figures are those of a test of it.
 
-use super::cells::Bench;
+use super::bench::Bench;
 use crate::measure::{
     Contestant, Dependent, Figures, GroupReport, Invalid, Order, Pace, Protocol, ProtocolError,
     Role, Status,

@@ -4,7 +4,8 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 
-use super::cells::{Bench, Measured};
+use super::bench::Bench;
+use super::cells::Measured;
 use super::rows::{of_variant, put_group};
 use super::run::Trouble;
 use super::scene::reported;

@@ -4,7 +4,8 @@
 //! group of a cell, a whole cell where prices are made of its samples, the exits of a listing in
 //! one order. Pieces are cut the same way in every run, so that their names find them again.
 
-use super::cells::{Bench, CONTROLS};
+use super::bench::Bench;
+use super::cells::CONTROLS;
 use crate::measure::{Order, Protocol};
 use crate::table::{Row, TableError};
 

@@ -5,6 +5,7 @@
 //! ```
 
 mod arithmetic;
+mod bench;
 mod calls;
 pub mod cells;
 mod codes;
@@ -22,7 +23,8 @@ mod scene;
 mod select;
 mod workload;
 
-pub use cells::{BEYOND, Bench, beyond_prediction, control};
+pub use bench::Bench;
+pub use cells::{BEYOND, beyond_prediction, control};
 pub use config::{ConfigError, Experiment};
 pub use distraction::Distraction;
 pub use keep::{Keep, KeepError, KeepNothing};

@@ -2,7 +2,8 @@
 
 use std::sync::atomic::Ordering;
 
-use super::cells::{self, Bench, Measured};
+use super::bench::Bench;
+use super::cells::{self, Measured};
 use super::keep::KeepError;
 use super::plan::Plan;
 use super::rows::put_percent_slower;
