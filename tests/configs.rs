@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 20] = [
+const IDS: [&str; 21] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
