@@ -24,6 +24,8 @@ fn run_until(text: &str, blocks: usize, keep: &mut dyn Keep) -> Outcome {
     };
     let mut bench = Bench {
         rounds: 16,
+        // The clock moves by its readings, not by work.
+        guards: false,
         patience: 0,
         clock: &mut ScriptedClock::new(60_000),
         disturbance: &mut Undisturbed,
@@ -198,6 +200,8 @@ fn rows_of_another_workload_are_refused() {
     let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
     let mut bench = Bench {
         rounds: 16,
+        // The clock moves by its readings, not by work.
+        guards: false,
         patience: 0,
         clock: &mut ScriptedClock::new(60_000),
         disturbance: &mut Undisturbed,

@@ -73,6 +73,7 @@ impl Instruments {
     ) -> Bench<'a> {
         Bench {
             rounds,
+            guards: true,
             patience: PATIENCE,
             clock: &mut self.clock,
             disturbance: &mut self.disturbance,

@@ -17,6 +17,8 @@ const WAIT: Duration = Duration::from_millis(300);
 pub struct Bench<'a> {
     /// Rounds of every group.
     pub rounds: usize,
+    /// As [`Protocol::guards`].
+    pub guards: bool,
     /// How many groups may still be measured again because a neighbour did not leave them enough
     /// rounds: he may have gone by then.
     pub patience: u32,
@@ -65,6 +67,7 @@ impl Bench<'_> {
         contestants: &mut [Contestant],
         protocol: &Protocol,
     ) -> Result<GroupReport, ProtocolError> {
+        let protocol = &Protocol { guards: self.guards, ..protocol.clone() };
         let mut report = self.measure_once(contestants, protocol)?;
         while report.crowded_share > 0.0 && self.patience > 0 && !report.cancelled {
             self.patience -= 1;

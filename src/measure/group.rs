@@ -116,7 +116,9 @@ fn prepare(
         if surroundings.cancel.load(Atomic::Relaxed) {
             return;
         }
-        runner.check_doubling(&mut surroundings.instruments(rng, &mut 0));
+        if protocol.guards {
+            runner.check_doubling(&mut surroundings.instruments(rng, &mut 0));
+        }
         if protocol.order == Order::Fixed && runner.invalid.is_none() {
             let mut spare_blocks = protocol.spare_blocks(1);
             runner.run_solo(&mut surroundings.instruments(rng, &mut spare_blocks));

@@ -62,6 +62,9 @@ pub struct Protocol {
     pub seed: u64,
     /// How the items of a block are run.
     pub pace: Pace,
+    /// Whether what takes less time than its work can is refused; not on a clock that is moved by
+    /// something else than the work.
+    pub guards: bool,
     /// Relative difference that is none, > 0, whatever the noise allows to see.
     pub margin: f64,
 }
@@ -112,6 +115,7 @@ impl Protocol {
             order,
             seed,
             pace: Pace::Throughput,
+            guards: true,
             margin: 0.01,
         }
     }

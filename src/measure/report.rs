@@ -45,7 +45,7 @@ pub(super) fn report(
     let crowded_share = drop_crowded(runners, protocol.planned_rounds(number), &mut rounds);
     let controls = Controls::of(runners);
     let floor = noise_floor(runners, &controls);
-    if protocol.pace == Pace::Throughput {
+    if protocol.guards && protocol.pace == Pace::Throughput {
         guard_all(runners, &controls, floor);
     }
     // Whoever failed has no samples left, the reference neither.
