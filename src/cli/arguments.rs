@@ -128,7 +128,7 @@ pub struct Batch {
     /// Say what would run and how long it would take
     #[arg(long)]
     pub dry_run: bool,
-    /// Processor to measure on: `auto` for the quietest, `off` for any, or its number
+    /// Processor to measure on: `auto` (between groups, the quietest), `off` (any), or its number
     #[arg(long, default_value_t = Pin::Auto)]
     pub pin: Pin,
     /// Go on with an interrupted run in the folder of --out; experiment, --profile, --filter,
@@ -147,7 +147,7 @@ pub struct Doctor {
     /// (some minutes)
     #[arg(long)]
     pub self_test: bool,
-    /// Processor to measure on: `auto` for the quietest, `off` for any, or its number
+    /// Processor to measure on: `auto` (between groups, the quietest), `off` (any), or its number
     #[arg(long, default_value_t = Pin::Auto)]
     pub pin: Pin,
     /// How it is printed
