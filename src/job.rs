@@ -108,6 +108,13 @@ pub trait Job {
     /// Lays the items out in a new order: item `i` becomes what item `permutation[i]` of the
     /// original order was. Outside the timed window; nothing is run over the new order.
     fn permute(&mut self, permutation: &[u32]);
+    /// Number of records that every item is tested against; 0 where each item has its own.
+    fn shared_records(&self) -> usize {
+        0
+    }
+    /// Lays the shared records out in a new order, as [`Job::permute`] does the items. Sums do not
+    /// depend on it; which of them is hit is told in the original order.
+    fn permute_shared(&mut self, _permutation: &[u32]) {}
     /// The answers in the original order, computed by the very function that `run` times.
     fn answers(&mut self) -> Vec<Answer>;
 }

@@ -113,6 +113,7 @@ pub struct NearestJob<E, T> {
     outputs: usize,
     original: Vec<E>,
     laid_out: Aligned<E>,
+    original_records: Vec<T>,
     records: Aligned<T>,
     answers: Aligned<E>,
     run: NearestLoop<E, T>,
@@ -140,6 +141,7 @@ impl<E: Element, T: Copy> NearestJob<E, T> {
             laid_out: Aligned::new(&numbers),
             original: numbers,
             records: Aligned::new(&records),
+            original_records: records,
             answers: Aligned::new(&answers),
             run,
         }
@@ -217,6 +219,16 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
         }
     }
 
+    fn shared_records(&self) -> usize {
+        self.original_records.len()
+    }
+
+    fn permute_shared(&mut self, permutation: &[u32]) {
+        for (place, &from) in self.records.iter_mut().zip(permutation) {
+            *place = self.original_records[from as usize];
+        }
+    }
+
     fn touch(&mut self, block: Block) {
         let ray = RAY_NUMBERS * self.lanes;
         for number in &self.laid_out[block.first * ray..][..block.items * ray] {
@@ -229,6 +241,7 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
 
     fn answers(&mut self) -> Vec<Answer> {
         self.laid_out.copy_from_slice(&self.original);
+        self.records.copy_from_slice(&self.original_records);
         self.run(Block::whole(self));
         let mut answers = Vec::with_capacity(self.items() * self.lanes);
         for packet in self.answers.chunks_exact(ANSWER_NUMBERS * self.lanes) {

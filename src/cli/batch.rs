@@ -9,9 +9,7 @@ use super::failure::Failure;
 use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
 use super::{interrupt, lock, progress, unfinished};
-use crate::experiment::{
-    Experiment, Plan, Profile, SECONDS_PER_BLOCK, Workload, pattern_of, run as run_plan,
-};
+use crate::experiment::{Experiment, Plan, Profile, Workload, pattern_of, run as run_plan};
 use crate::measure::Environment;
 use crate::workload::hash::Fnv;
 
@@ -108,7 +106,7 @@ impl Estimate {
 /// Blocks take their time by design; drawing pairs, the exact answers and the check of each
 /// variant were measured at about these rates, and a figure takes a few milliseconds.
 fn estimate(plan: &Plan, profile: Profile) -> Estimate {
-    let timing = plan.blocks(profile) as f64 * SECONDS_PER_BLOCK;
+    let timing = plan.seconds(profile);
     let checked = (plan.cells().len() * plan.variants.len()) as f64;
     let clock_free = match &plan.experiment.workload {
         Workload::Codes(codes) => 0.4e-6 * (codes.pairs * plan.variants.len()) as f64,

@@ -74,7 +74,7 @@ impl Instruments {
         Bench {
             rounds,
             guards: true,
-            patience: PATIENCE,
+            patience: PATIENCE * (rounds / 64).max(1) as u32,
             clock: &mut self.clock,
             disturbance: &mut self.disturbance,
             counters: self.counters.as_mut(),
@@ -92,7 +92,8 @@ fn has_two_kinds() -> bool {
     std::path::Path::new("/sys/devices/cpu_atom").exists()
 }
 
-/// Groups of one experiment that are measured again beside a neighbour: some seconds at most.
+/// Groups of one experiment that are measured again beside a neighbour, for every 64 rounds: some
+/// seconds at most of a quick run.
 const PATIENCE: u32 = 6;
 
 /// Pairs of the ruler's kernel: near, and its whole time.

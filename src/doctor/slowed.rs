@@ -45,6 +45,14 @@ impl Job for Slowed {
         self.job.permute(permutation);
     }
 
+    fn shared_records(&self) -> usize {
+        self.job.shared_records()
+    }
+
+    fn permute_shared(&mut self, permutation: &[u32]) {
+        self.job.permute_shared(permutation);
+    }
+
     fn answers(&mut self) -> Vec<Answer> {
         self.job.answers()
     }

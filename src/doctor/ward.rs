@@ -34,7 +34,7 @@ impl Ward {
     /// # Errors
     /// When the pairs cannot be drawn.
     pub fn new(order: Order) -> Result<Self, DoctorError> {
-        Self::with_pairs(if order == Order::Reshuffled { 4000 } else { 500 })
+        Self::with_pairs(if order == Order::Reshuffled { 1000 } else { 500 })
     }
 
     /// So many pairs.

@@ -9,9 +9,10 @@ use crate::measure::{
     ProtocolError, Ruler, Surroundings, measure_group,
 };
 
-/// Time that a neighbour is given to leave before a group is measured again: his long visits were
-/// of half a second to some seconds.
+/// Time that a neighbour is given to leave before a group is measured again, and at most, when each
+/// wait is twice the last: his long visits were of half a second to some seconds.
 const WAIT: Duration = Duration::from_millis(300);
+const LONGEST_WAIT: Duration = Duration::from_millis(2400);
 
 /// What a cell is measured with.
 pub struct Bench<'a> {
@@ -69,9 +70,11 @@ impl Bench<'_> {
     ) -> Result<GroupReport, ProtocolError> {
         let protocol = &Protocol { guards: self.guards, ..protocol.clone() };
         let mut report = self.measure_once(contestants, protocol)?;
+        let mut wait = WAIT;
         while report.crowded_share > 0.0 && self.patience > 0 && !report.cancelled {
             self.patience -= 1;
-            std::thread::sleep(WAIT);
+            std::thread::sleep(wait);
+            wait = (2 * wait).min(LONGEST_WAIT);
             let again = self.measure_once(contestants, protocol)?;
             // Never given up for one that was cut short.
             if !again.cancelled {

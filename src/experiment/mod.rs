@@ -28,7 +28,7 @@ pub use cells::{BEYOND, beyond_prediction, control};
 pub use config::{ConfigError, Experiment};
 pub use distraction::Distraction;
 pub use keep::{Keep, KeepError, KeepNothing};
-pub use plan::{Plan, Profile, SECONDS_PER_BLOCK};
+pub use plan::{Plan, Profile};
 pub use rows::{of_variant, put_percent_slower};
 pub use run::{Outcome, RunError, Trouble, run};
 pub use scene::{Facts, Scene};

@@ -90,32 +90,40 @@ impl Plan {
 
     /// Blocks that will be timed on this machine, redrawn rounds excluded.
     pub fn blocks(&self, profile: Profile) -> usize {
-        let rounds = |contestants: usize| {
-            let protocol = Protocol { rounds: profile.rounds(), ..Protocol::new(Order::Fixed, 0) };
+        self.blocks_as(profile, |order| order)
+    }
+
+    /// Seconds that they take: 60 us inside each timed window, as much again for permutations,
+    /// warm-up passes and calibration. Reshuffled blocks are as much shorter as they are more.
+    pub fn seconds(&self, profile: Profile) -> f64 {
+        self.blocks_as(profile, |_| Order::Fixed) as f64 * 120e-6
+    }
+
+    /// [`Plan::blocks`], of other orders.
+    fn blocks_as(&self, profile: Profile, order_of: fn(Order) -> Order) -> usize {
+        let rounds = |contestants: usize, order: Order| {
+            let protocol = Protocol { rounds: profile.rounds(), ..Protocol::new(order, 0) };
             protocol.planned_rounds(contestants) * contestants
         };
         let ready = self.variants.iter().filter(|variant| (variant.available)());
         let singles = ready.clone().filter(|variant| variant.lanes == 1).count();
         let ready = ready.count();
         if let Workload::Codes(codes) = &self.experiment.workload {
-            return ready * codes.orders.len() * rounds(USUAL_EXITS + CONTROLS);
+            return ready * codes.orders.len() * rounds(USUAL_EXITS + CONTROLS, Order::Fixed);
         }
         if matches!(self.experiment.workload, Workload::Arithmetic) {
-            return rounds(units().len() + CONTROLS);
+            return rounds(units().len() + CONTROLS, Order::Fixed);
         }
-        let in_groups = |subjects: usize, controls: usize| {
+        let in_groups = |subjects: usize, controls: usize, order: Order| {
             let rest = match subjects % MOST_SUBJECTS {
                 0 => 0,
-                rest => rounds(rest + controls),
+                rest => rounds(rest + controls, order),
             };
-            subjects / MOST_SUBJECTS * rounds(MOST_SUBJECTS + controls) + rest
+            subjects / MOST_SUBJECTS * rounds(MOST_SUBJECTS + controls, order) + rest
         };
         // Single rays are measured three times: in a loop, cold, and each after the other.
-        let of_cell = in_groups(ready, CONTROLS) + 2 * in_groups(singles, CALL_CONTROLS);
-        self.cells().len() * of_cell
+        let calls = 2 * in_groups(singles, CALL_CONTROLS, Order::Fixed);
+        let of_cell = |order: Order| in_groups(ready, CONTROLS, order_of(order)) + calls;
+        self.cells().into_iter().map(|(_, order)| of_cell(order)).sum()
     }
 }
-
-/// Seconds that one timed block takes with all that belongs to it: 60 us inside the window, as
-/// much again for permutations, warm-up passes and calibration.
-pub const SECONDS_PER_BLOCK: f64 = 120e-6;

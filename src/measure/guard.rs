@@ -5,7 +5,7 @@ use super::calibrate::{timed, warm_up};
 use super::clock::Clock;
 use super::plan::Plan;
 use super::protocol::Order;
-use super::shuffle::permutation;
+use super::shuffle::{lay_out, permutation};
 use crate::job::{Block, Job};
 use crate::stats::{log_ratios, median, sign_interval};
 use rand_pcg::Pcg64Mcg;
@@ -33,7 +33,8 @@ pub(super) fn doubling(
     let (half, share) = half_of(whole)?;
     let mut ns = |block| match plan.order {
         Order::Reshuffled => {
-            job.permute(&permutation(rng, job.items()));
+            let order = permutation(rng, job.items());
+            lay_out(rng, job, &order);
             timed(job, block, clock).0
         }
         Order::Fixed => {

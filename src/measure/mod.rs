@@ -29,6 +29,7 @@ mod interference;
 mod latin;
 mod machine;
 mod neighbour;
+mod passes;
 mod pin;
 mod plan;
 mod protocol;

@@ -5,6 +5,7 @@ use super::contestant::Role;
 use super::figures::{CyclesSource, Figures, GroupReport, Invalid, Status};
 use super::group::Rounds;
 use super::guard;
+use super::passes;
 use super::protocol::{Pace, Protocol};
 use super::runner::{Runner, Sample};
 use crate::stats::{decide, log_ratios, median, paired_ratio, sign_interval};
@@ -18,8 +19,6 @@ struct Controls {
     reference: Vec<f64>,
     chain: Vec<f64>,
     empty: Vec<f64>,
-    /// Of the chain: median block among the others over the median alone.
-    chain_solo: Option<f64>,
 }
 
 impl Controls {
@@ -30,7 +29,6 @@ impl Controls {
             reference: times(Role::Reference),
             chain: times(Role::Chain),
             empty: times(Role::Empty),
-            chain_solo: runner(Role::Chain).and_then(over_solo),
         }
     }
 }
@@ -43,6 +41,8 @@ pub(super) fn report(
 ) -> GroupReport {
     let number = runners.len();
     let crowded_share = drop_crowded(runners, protocol.planned_rounds(number), &mut rounds);
+    let over_solo: Vec<Option<f64>> = runners.iter().map(over_solo).collect();
+    let blocks = join_passes(runners);
     let controls = Controls::of(runners);
     let floor = noise_floor(runners, &controls);
     if protocol.guards && protocol.pace == Pace::Throughput {
@@ -52,7 +52,8 @@ pub(super) fn report(
     let controls = Controls::of(runners);
     let mut figures: Vec<Figures> =
         runners.iter().map(|runner| figures_of(runner, &controls, rounds)).collect();
-    put_decisions(&mut figures, &controls, protocol.margin.max(floor));
+    put_solo_ratios(&mut figures, &over_solo);
+    put_decisions(&mut figures, &controls, protocol.margin.max(floor), blocks);
     if rounds.cancelled && rounds.clean < Protocol::LEAST_ROUNDS {
         withhold(&mut figures, &Invalid::Interrupted { rounds: rounds.clean });
     }
@@ -84,6 +85,15 @@ fn drop_crowded(runners: &mut [Runner<'_>], planned: usize, rounds: &mut Rounds)
     rounds.clean = quiet;
     rounds.dirty += crowded;
     0.0
+}
+
+/// Makes samples of whole passes, where the rounds were cut into windows and there were enough.
+fn join_passes(runners: &mut [Runner<'_>]) -> usize {
+    let mut ordered = runners.iter().filter(|r| !r.contestant.role.is_orderless());
+    let Some(windows) = ordered.next().map(|r| r.plan.windows) else { return 1 };
+    // Reshuffled blocks of different lengths have windows of their own.
+    let shared = ordered.all(|r| r.plan.windows == windows);
+    if shared { passes::join(runners, windows, Protocol::LEAST_ROUNDS) } else { 1 }
 }
 
 /// Marks figures as ones that do not stand, whose own reasons are no better.
@@ -177,7 +187,7 @@ fn figures_of(runner: &Runner<'_>, controls: &Controls, rounds: Rounds) -> Figur
         ratio_first_half: part(0, half),
         ratio_second_half: part(half, samples.len()),
         decision: None,
-        solo_ratio: over_solo(runner).zip(controls.chain_solo).map(|(own, chain)| own / chain),
+        solo_ratio: None,
         empty_loop_ratio: median_quotient(&controls.empty, &samples),
         tests_per_block: runner.tests(0),
         repeats: runner.plan.repeats,
@@ -192,6 +202,15 @@ fn over_solo(runner: &Runner<'_>) -> Option<f64> {
     let first = runner.samples.iter().filter(|sample| sample.window == 0);
     let among_others: Vec<f64> = first.map(|sample| sample.ns as f64).collect();
     Some(median(&among_others)? / runner.solo_ns?)
+}
+
+/// Puts in what [`over_solo`] found, in terms of what it found of the chain.
+fn put_solo_ratios(figures: &mut [Figures], over_solo: &[Option<f64>]) {
+    let chain = figures.iter().position(|figures| figures.role == Role::Chain);
+    let chain = chain.and_then(|place| over_solo[place]);
+    for (figures, own) in figures.iter_mut().zip(over_solo) {
+        figures.solo_ratio = own.zip(chain).map(|(own, chain)| own / chain);
+    }
 }
 
 /// Median of `above[i] / below[i]`; unlike a ratio with an interval it needs one round only.
@@ -220,8 +239,8 @@ fn noise_floor(runners: &[Runner<'_>], controls: &Controls) -> f64 {
 }
 
 /// Judges all subjects as one family, and each placebo by itself: a placebo is asked whether it
-/// alone would have been called different.
-fn put_decisions(figures: &mut [Figures], controls: &Controls, margin: f64) {
+/// alone would have been called different. A sample is so many `blocks`.
+fn put_decisions(figures: &mut [Figures], controls: &Controls, margin: f64, blocks: usize) {
     let mut families: Vec<Vec<usize>> = vec![Vec::new()];
     let mut members = Vec::new();
     for (place, figures) in figures.iter().enumerate() {
@@ -237,7 +256,7 @@ fn put_decisions(figures: &mut [Figures], controls: &Controls, margin: f64) {
     for family in families {
         let of: Vec<_> = family.iter().filter_map(|place| members[*place].clone()).collect();
         for (place, decision) in family.into_iter().zip(decide(&of, margin).unwrap_or_default()) {
-            figures[place].decision = Some(decision);
+            figures[place].decision = Some(decision.in_rounds_of(blocks));
         }
     }
 }

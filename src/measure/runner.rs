@@ -11,6 +11,7 @@ use super::guard;
 use super::plan::Plan;
 use super::protocol::Order;
 use super::ruler::{Reading, Ruler};
+use super::shuffle;
 use crate::stats::median;
 use rand_pcg::Pcg64Mcg;
 
@@ -140,7 +141,7 @@ impl<'a> Runner<'a> {
             }
             Order::Reshuffled => {
                 let order = self.plan.new_order(job.items(), window, rng);
-                job.permute(&order);
+                shuffle::lay_out(rng, job, &order);
                 Some(order)
             }
         }
@@ -241,8 +242,7 @@ impl<'a> Runner<'a> {
     /// Leaves the job in its original order.
     pub fn restore(&mut self) {
         if self.plan.order == Order::Reshuffled {
-            let items = self.contestant.job.items() as u32;
-            self.contestant.job.permute(&(0..items).collect::<Vec<u32>>());
+            shuffle::put_back(self.contestant.job.as_mut());
         }
     }
 

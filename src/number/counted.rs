@@ -127,6 +127,9 @@ impl<T: Element> Element for Counted<T> {
     fn from_f32(value: f32) -> Self {
         Counted(T::from_f32(value))
     }
+    fn from_f64(value: f64) -> Self {
+        Counted(T::from_f64(value))
+    }
     fn to_f64(self) -> f64 {
         self.0.to_f64()
     }

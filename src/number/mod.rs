@@ -127,6 +127,8 @@ pub trait Element: Real<Element = Self, Mask = bool, Token = ()> {
     const MAX: Self;
     /// The exact value of an f32 (`value` is finite).
     fn from_f32(value: f32) -> Self;
+    /// The number nearest to `value` (which is finite).
+    fn from_f64(value: f64) -> Self;
     /// The nearest f64.
     fn to_f64(self) -> f64;
     /// The bit pattern, zero-extended (0 for types that have none).

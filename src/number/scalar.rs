@@ -100,6 +100,10 @@ macro_rules! scalar {
                 Self::from(value)
             }
             #[inline(always)]
+            fn from_f64(value: f64) -> Self {
+                value as Self
+            }
+            #[inline(always)]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }

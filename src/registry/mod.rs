@@ -1,6 +1,7 @@
 //! Every variant that is built: its axes, its id, and how to bind it to a workload.
 
 mod arithmetic;
+mod asked;
 mod axes;
 mod forms;
 mod listings;
@@ -8,6 +9,7 @@ mod offers;
 mod points;
 
 pub use arithmetic::{Unit, units};
+pub use asked::{Asked, asked};
 pub use axes::{Axes, COLUMNS};
 pub use offers::{Offers, Other};
 

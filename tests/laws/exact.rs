@@ -203,6 +203,9 @@ impl Element for Exact {
     fn from_f32(value: f32) -> Self {
         Self::of(f64::from(value))
     }
+    fn from_f64(value: f64) -> Self {
+        Self::of(value)
+    }
     fn to_f64(self) -> f64 {
         ARENA
             .with_borrow(|arena| arena.get(self).map_or(f64::NAN, |number| number.to_f64().value()))

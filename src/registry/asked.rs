@@ -1,0 +1,230 @@
+//! Every kernel as a function from one case to one answer: for what is asked without a clock.
+//!
+//! The same source as the timed forms, in their early single-ray form with output `tuv`; lanes,
+//! levels and full work give the same bits (`tests/lanes`), so nothing of accuracy is left out.
+
+use crate::job::Answer;
+use crate::kernels::listings::{Badouel, ChirkovLine, Listing, Literally, Moller, Placement};
+use crate::kernels::{
+    About, AngleSum, BadouelCramer, Chirkov, Corners, HalfSpaces, Keidy, KenslerShirley,
+    MollerTrumbore, PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices,
+    Wald, WithNormal,
+};
+use crate::number::{Element, Vec3};
+use crate::oracle::Query;
+use crate::policy::{
+    Between, Compare, Division, Early, First, Form, Fused, Last, Leading, Plain, Policy, Products,
+    Ray, Rounding, SignBits, Tests, Tuv, TwoSided,
+};
+use std::sync::LazyLock;
+
+use super::{Axes, Offers};
+
+/// One form of one kernel, to be asked.
+pub struct Asked {
+    /// Its place on every axis: that of the timed form of the same id, where there is one.
+    pub axes: Axes,
+    /// The kernel.
+    pub about: &'static About,
+    /// It answers about the segment from origin to end, not about the ray.
+    pub is_segment: bool,
+    /// The answer. Inputs are rounded to the precision; `triangle` is `Some(0)` for a hit.
+    pub ask: fn(&Query) -> Answer,
+}
+
+impl Asked {
+    /// The axes joined by slashes.
+    pub fn id(&self) -> String {
+        self.axes.id()
+    }
+}
+
+/// All of them, in the order of the registry.
+pub fn asked() -> &'static [Asked] {
+    static ASKED: LazyLock<Vec<Asked>> = LazyLock::new(|| {
+        let mut all = Vec::new();
+        kernel::<MollerTrumbore>(&mut all);
+        kernel::<KenslerShirley<Vertices>>(&mut all);
+        kernel::<KenslerShirley<WithNormal>>(&mut all);
+        kernel::<KenslerShirley<Precomputed>>(&mut all);
+        kernel::<Shevtsov>(&mut all);
+        kernel::<BadouelCramer>(&mut all);
+        kernel::<Wald>(&mut all);
+        kernel::<Keidy<Vertices>>(&mut all);
+        kernel::<Keidy<WithNormal>>(&mut all);
+        kernel::<PerpendicularPlanes>(&mut all);
+        kernel::<Chirkov>(&mut all);
+        kernel::<Plucker>(&mut all);
+        kernel::<HalfSpaces>(&mut all);
+        kernel::<SignedAreas>(&mut all);
+        kernel::<AngleSum>(&mut all);
+        listing::<Moller<0>>(&mut all, Placement::AtOnce.division());
+        listing::<Moller<1>>(&mut all, Placement::AtTheEnd.division());
+        listing::<Moller<2>>(&mut all, Placement::BeforeTheBranch.division());
+        listing::<Moller<3>>(&mut all, Placement::BeforeTheBranchWithQ.division());
+        listing::<Badouel>(&mut all, First::NAME);
+        listing::<ChirkovLine>(&mut all, Last::NAME);
+        all
+    });
+    &ASKED
+}
+
+fn kernel<K: Offers>(all: &mut Vec<Asked>) {
+    precision::<K, f32>(all);
+    precision::<K, f64>(all);
+}
+
+fn precision<K: Offers, E: Element>(all: &mut Vec<Asked>) {
+    if K::FIRST {
+        form::<K, E, First, Plain, Compare>(all);
+        form::<K, E, First, Fused, Compare>(all);
+    }
+    if K::LAST {
+        form::<K, E, Last, Plain, Compare>(all);
+        form::<K, E, Last, Fused, Compare>(all);
+    }
+    if K::SIGN_BITS {
+        form::<K, E, Last, Plain, SignBits>(all);
+    }
+    if K::PRODUCTS {
+        form::<K, E, Last, Plain, Products>(all);
+    }
+}
+
+/// The level at which the form is named: the lowest that has it.
+fn level(fused: bool) -> &'static str {
+    match (cfg!(target_arch = "aarch64"), fused) {
+        (true, _) => "neon",
+        (false, true) => "avx2",
+        (false, false) => "sse2",
+    }
+}
+
+fn form<K: Offers, E: Element, D: Division, A: Rounding, C: Tests>(all: &mut Vec<Asked>) {
+    type Of<K, D, A, C> = Form<Early, D, A, Tuv, TwoSided, C, <K as Offers>::Native, Between>;
+    let axes = Axes {
+        kernel: K::ABOUT.id,
+        precision: E::NAME,
+        drive: "single".into(),
+        level: level(A::NAME == Fused::NAME),
+        exit: "early",
+        division: D::NAME,
+        rounding: A::NAME,
+        output: if K::UV { "tuv" } else { "t" },
+        cull: "off",
+        layout: "aos",
+        leading: K::Native::NAME,
+        leading_is_native: true,
+        priced: "",
+        query: "ray",
+        stored: K::ABOUT.stored,
+        stored_is_native: K::NATIVE_RECORD,
+        tests: C::NAME,
+        copy: 0,
+    };
+    let ask = ask::<K, Of<K, D, A, C>, E>;
+    all.push(Asked { axes, about: &K::ABOUT, is_segment: K::ABOUT.id == "chirkov", ask });
+}
+
+fn ask<K: Offers, P: Policy, E: Element>(query: &Query) -> Answer {
+    let (ray, corners) = posed::<E>(query);
+    let met = K::meet::<P, E>((), &K::prepare(&corners));
+    match K::test::<P, E>(&ray, &met) {
+        Ok(found) if found.hit => answer(true, [found.t, found.u, found.v], 0),
+        Ok(_) => answer(false, [E::ZERO; 3], u8::MAX),
+        Err(miss) => answer(false, [E::ZERO; 3], miss.0),
+    }
+}
+
+fn listing<K: Listing>(all: &mut Vec<Asked>, division: &'static str) {
+    listed::<K, f32>(all, division);
+    listed::<K, f64>(all, division);
+}
+
+fn listed<K: Listing, E: Element>(all: &mut Vec<Asked>, division: &'static str) {
+    fn ask<K: Listing, E: Element>(query: &Query) -> Answer {
+        let (ray, corners) = posed::<E>(query);
+        let (code, t, u, v) = K::run::<E, Literally, true>(&ray, &K::prepare(&corners));
+        answer(code == 0, [t, u, v], code)
+    }
+    let axes = Axes {
+        kernel: K::ABOUT.id,
+        precision: E::NAME,
+        drive: "single".into(),
+        level: level(false),
+        exit: "early",
+        division,
+        rounding: Plain::NAME,
+        output: "tuv",
+        cull: "off",
+        layout: "aos",
+        leading: "inside",
+        leading_is_native: true,
+        priced: "",
+        query: "ray",
+        stored: K::ABOUT.stored,
+        stored_is_native: true,
+        tests: Compare::NAME,
+        copy: 0,
+    };
+    all.push(Asked { axes, about: &K::ABOUT, is_segment: false, ask: ask::<K, E> });
+}
+
+fn answer<E: Element>(hit: bool, [t, u, v]: [E; 3], code: u8) -> Answer {
+    let (t, u, v) = (t.to_f64(), u.to_f64(), v.to_f64());
+    Answer { triangle: hit.then_some(0), t, u, v, code, ..Answer::default() }
+}
+
+/// A query in the precision `E`: infinite bounds become the largest finite number; without an end
+/// the segment ends at t = 1.
+fn posed<E: Element>(query: &Query) -> (Ray<E>, Corners<E>) {
+    let vector = |v: [f64; 3]| Vec3(v.map(E::from_f64));
+    let bound = |t: f64| E::from_f64(t.clamp(-E::MAX.to_f64(), E::MAX.to_f64()));
+    let (origin, direction) = (vector(query.origin), vector(query.direction));
+    let ray = Ray {
+        origin,
+        direction,
+        end: query.end.map_or(origin + direction, vector),
+        t_min: bound(query.t_min),
+        t_max: bound(query.t_max),
+    };
+    let [a, b, c] = query.triangle.map(vector);
+    (ray, Corners { a, b, c })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::registry::find;
+    use std::collections::BTreeSet;
+
+    const HIT: Query = Query {
+        origin: [1.0, 2.0, 0.0],
+        direction: [0.0, 0.0, 4.0],
+        end: None,
+        triangle: [[0.0, 0.0, 2.0], [4.0, 0.0, 2.0], [0.0, 4.0, 2.0]],
+        t_min: 0.0,
+        t_max: f64::INFINITY,
+    };
+
+    #[test]
+    fn all_are_named_once_and_as_the_timed_forms_are() {
+        let ids: BTreeSet<String> = asked().iter().map(Asked::id).collect();
+        assert_eq!(ids.len(), asked().len());
+        let timed = ids.iter().filter(|id| find(id).is_some()).count();
+        // f64 is timed fused in packets only.
+        let fused_f64 = |id: &&String| id.contains("/f64/") && id.contains("/fused/");
+        assert_eq!(timed, ids.len() - ids.iter().filter(fused_f64).count());
+    }
+
+    #[test]
+    fn all_find_a_plain_hit_and_its_place() {
+        for asked in asked() {
+            let answer = (asked.ask)(&HIT);
+            assert_eq!(answer.triangle, Some(0), "{}", asked.id());
+            assert_eq!(answer.t, 0.5, "{}", asked.id());
+            let miss = Query { origin: [3.0, 2.0, 0.0], ..HIT };
+            assert_eq!((asked.ask)(&miss).triangle, None, "{}", asked.id());
+        }
+    }
+}
