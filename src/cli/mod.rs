@@ -1,5 +1,6 @@
 //! The command line: one file per verb.
 
+mod addresses;
 mod arguments;
 mod baseline;
 mod batch;
@@ -45,6 +46,11 @@ pub fn main() -> ExitCode {
 }
 
 fn run(arguments: Arguments) -> Result<(), Failure> {
+    let measures =
+        |verb: &Verb| matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_));
+    if arguments.verb.as_ref().is_none_or(measures) {
+        addresses::settle();
+    }
     match arguments.verb {
         None => thesis::run(&arguments.thesis),
         Some(Verb::Run(run)) => batch::run(&run),

@@ -94,7 +94,8 @@ impl Plan {
     }
 
     /// Seconds that they take: 60 us inside each timed window, as much again for permutations,
-    /// warm-up passes and calibration. Reshuffled blocks are as much shorter as they are more.
+    /// warm-up passes and calibration. Reshuffled blocks are
+    /// about as much shorter as they are more.
     pub fn seconds(&self, profile: Profile) -> f64 {
         self.blocks_as(profile, |_| Order::Fixed) as f64 * 120e-6
     }
