@@ -1,7 +1,5 @@
 //! What a precision can tell apart: spacing and order of its floats.
 
-use std::f64::consts::LN_2;
-
 /// The floats of a precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Format {
@@ -49,8 +47,8 @@ impl Format {
             Format::Single => (place_single(computed as f32), place_single(single(high, low))),
             Format::Double => (place_double(computed), place_double(high)),
         };
-        // ln_1p is exactly 0 at 0; beyond, a last place more or less is no matter.
-        ((computed.abs_diff(exact) as f64).ln_1p() / LN_2).min(all)
+        // From `libm`, the same on every machine.
+        libm::log2(1.0 + computed.abs_diff(exact) as f64).min(all)
     }
 }
 

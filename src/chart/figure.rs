@@ -148,6 +148,9 @@ pub struct Figure {
     pub normalise_to: Option<String>,
     /// A value of y at which a line is drawn across, for instance 1 for ratios.
     pub reference: Option<f64>,
+    /// Column over whose values rows are put together, for instance `seed`, for `lines` and `bars`:
+    /// one point for all of them, at the median, with the smallest and the largest as its interval.
+    pub over: Option<String>,
     /// Value as stored to the words shown for it, for series, panels and categories.
     #[serde(default)]
     pub labels: BTreeMap<String, String>,
@@ -176,6 +179,9 @@ impl Figure {
         if let Some(column) = &self.panels {
             self.column("panels", column)?;
         }
+        if let Some(column) = &self.over {
+            self.column("over", column)?;
+        }
         if let Some(beside) = &self.published {
             let tables = published.tables();
             if !tables.contains(&beside.table.as_str()) {
@@ -189,13 +195,14 @@ impl Figure {
     /// Refuses a key that the kind of chart does not look at: it would be silently without effect.
     fn validate_use(&self) -> Result<(), ChartError> {
         use Kind::{Bars, Lines, Shares};
-        let uses: [(&'static str, bool, &[Kind]); 10] = [
+        let uses: [(&'static str, bool, &[Kind]); 11] = [
             ("also", !self.also.is_empty(), &[Bars]),
             ("x", !self.x.list().is_empty(), &[Lines, Bars, Shares]),
             ("y", !self.y.is_empty(), &[Lines, Bars, Shares]),
             ("y_below", self.y_below.is_some(), &[Shares]),
             ("y_below_title", self.y_below_title.is_some(), &[Shares]),
             ("panels", self.panels.is_some(), &[Lines, Bars]),
+            ("over", self.over.is_some(), &[Lines, Bars]),
             ("scale", self.scale == Scale::Log, &[Lines, Bars]),
             ("x_scale", self.x_scale == Scale::Log, &[Lines]),
             ("normalise_to", self.normalise_to.is_some(), &[Lines, Bars, Shares]),
@@ -258,6 +265,14 @@ impl Figure {
         self.filter
             .iter()
             .all(|(column, wanted)| row.cell(column).is_some_and(|cell| wanted.admits(cell)))
+    }
+
+    /// What the footer says of marks that show intervals.
+    pub fn intervals(&self, marks: &str) -> String {
+        match &self.over {
+            None => format!("{marks}: intervals"),
+            Some(over) => format!("{marks}: smallest to largest over {}s", over.replace('_', " ")),
+        }
     }
 
     /// The words shown for a stored value.

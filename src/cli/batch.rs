@@ -110,6 +110,10 @@ fn estimate(plan: &Plan, profile: Profile) -> Estimate {
     let checked = (plan.cells().len() * plan.variants.len()) as f64;
     let clock_free = match &plan.experiment.workload {
         Workload::Codes(codes) => 0.4e-6 * (codes.pairs * plan.variants.len()) as f64,
+        Workload::Errors(errors) => {
+            // Both references; exact answers take as long as some ten forms.
+            1e-6 * (errors.seeds * errors.hits * (2 * plan.variants.len() + 10)) as f64
+        }
         _ => 2e-3 * checked + 10e-3 * plan.cells().len() as f64,
     };
     Estimate { timing, clock_free, drawing: 5e-3 * plan.experiment.figure.len() as f64 }

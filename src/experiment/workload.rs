@@ -21,6 +21,8 @@ pub enum Workload {
     Counts,
     /// Multiplications and additions alone, at every level.
     Arithmetic,
+    /// Errors of random hits over several seeds; no clock.
+    Errors(ErrorsWorkload),
 }
 
 /// Pairs at an exact hit density.
@@ -132,6 +134,16 @@ pub struct CodesWorkload {
     pub orders: Vec<Order>,
 }
 
+/// Random hits whose errors are measured.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ErrorsWorkload {
+    /// Hits of each seed.
+    pub hits: usize,
+    /// Number of seeds, from the experiment's on.
+    pub seeds: usize,
+}
+
 impl Workload {
     /// Whether it is variants that are run.
     pub fn has_variants(&self) -> bool {
@@ -150,6 +162,7 @@ impl Workload {
             Workload::Nearest(nearest) => nearest.validate(),
             Workload::Points(points) => points.validate(),
             Workload::Codes(codes) => codes.validate(),
+            Workload::Errors(errors) => errors.validate(),
             Workload::Counts | Workload::Arithmetic => Ok(()),
         }
     }
@@ -230,5 +243,12 @@ impl CodesWorkload {
         }
         in_range("timed_pairs", self.timed_pairs, 1)?;
         in_range("pairs", self.pairs, 1)
+    }
+}
+
+impl ErrorsWorkload {
+    fn validate(&self) -> Result<(), String> {
+        in_range("hits", self.hits, 1)?;
+        in_range("seeds", self.seeds, 1)
     }
 }

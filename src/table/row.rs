@@ -299,6 +299,8 @@ columns! {
     /// What the errors are against, where it is not the exact answer alone: `exact` or
     /// `moller-trumbore-f64`.
     err_against: String,
+    /// `err_tuv_mean_rel` over that against the exact answer.
+    err_ratio_to_exact: Option<f64>,
 }
 
 impl Serialize for Row {
