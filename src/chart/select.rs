@@ -158,7 +158,7 @@ pub(super) fn joined(row: &Row, columns: &Names) -> String {
 
 /// The interval of a figure. Rows store that of the time and of the ratio; figures that are
 /// proportional to the time, or to its inverse, have the same one relatively.
-fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
+pub(super) fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
     let (low, high) = match column {
         "ratio_to_reference" => (row.ratio_low?, row.ratio_high?),
         "price" => (row.price_low?, row.price_high?),

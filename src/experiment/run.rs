@@ -8,7 +8,7 @@ use super::keep::KeepError;
 use super::plan::Plan;
 use super::rows::put_percent_slower;
 use super::scene::Scene;
-use super::workload::Workload;
+use super::workload::{PairsWorkload, Workload};
 use super::{arithmetic, codes, counts, errors, points, prices};
 use crate::measure::{Order, ProtocolError};
 use crate::table::Row;
@@ -87,6 +87,9 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
         }
     }
     finish(plan, &mut outcome.rows);
+    if let Workload::Pairs(PairsWorkload { errors: Some(hits), .. }) = &plan.experiment.workload {
+        outcome.rows.extend(errors::rows(id, &plan.variants, hits, seed, bench.cancel));
+    }
     outcome.interrupted = bench.cancel.load(Ordering::Relaxed);
     Ok(outcome)
 }

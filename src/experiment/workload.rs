@@ -50,6 +50,9 @@ pub struct PairsWorkload {
     pub orders: Vec<Order>,
     /// Tests that the column `seconds` is scaled to (thesis B: 25 000 x 20 000).
     pub seconds_of_tests: Option<f64>,
+    /// Errors of the same variants on random hits, in rows of their own: pairs that can be timed in
+    /// one go are too few for the rarer errors.
+    pub errors: Option<ErrorsWorkload>,
 }
 
 /// Fifteen kernels in turn stay within what a branch predictor remembers.
@@ -201,6 +204,7 @@ impl PairsWorkload {
                 "workload.seconds_of_tests: {tests} is not allowed; allowed: above 0"
             ));
         }
+        self.errors.as_ref().map_or(Ok(()), ErrorsWorkload::validate)?;
         in_range("count", self.count, 1)?;
         in_range("reshuffled_count", self.reshuffled_count, 1)
     }
