@@ -71,7 +71,7 @@ pub(super) fn draw(
     let plan = plan(figure, panels, ours, theirs)?;
     let mut notes = vec![selection.source(), published_note(figure), selection.without(&figure.y)];
     if plan.ours.iter().any(|point| point.interval.is_some()) {
-        notes.push("whiskers: intervals".to_owned());
+        notes.push(figure.intervals("whiskers"));
     }
     if hidden > 0 {
         notes.push(format!("values without a place on the axis, not drawn: {hidden}"));

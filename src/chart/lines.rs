@@ -41,7 +41,7 @@ pub(super) fn draw(
     });
     let mut notes = vec![selection.source(), published_note(figure), selection.without(&figure.y)];
     if plan.ours.iter().any(|point| point.interval.is_some()) {
-        notes.push("bands: intervals".to_owned());
+        notes.push(figure.intervals("bands"));
     }
     if hidden > 0 {
         notes.push(format!("values without a place on the axes, not drawn: {hidden}"));

@@ -13,6 +13,7 @@ mod labels;
 mod line_marks;
 mod lines;
 mod palette;
+mod precision;
 mod published;
 mod select;
 mod shares;
@@ -20,9 +21,11 @@ mod svg;
 #[cfg(test)]
 mod tests;
 mod text;
+mod wanted;
 
-pub use figure::{Beside, Figure, Kind, Names, Scale, Wanted};
+pub use figure::{Beside, Figure, Kind, Names, Scale};
 pub use published::{Measure, Published, PublishedPoint};
+pub use wanted::Wanted;
 
 use crate::table::Row;
 
@@ -73,6 +76,7 @@ pub fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Result<Stri
         Kind::Bars => bars::draw(figure, rows, published),
         Kind::Shares => shares::draw(figure, rows, published),
         Kind::Counts => counts::draw(figure, rows, published),
+        Kind::Precision => precision::draw(figure, rows),
     };
     match drawn {
         Err(ChartError::Nothing(reason)) => frame::placeholder(figure, &reason),

@@ -6,7 +6,7 @@ use super::side::Side;
 use crate::table::Row;
 
 /// Columns that say what was measured, besides the id.
-const NAMES: [&str; 15] = [
+const NAMES: [&str; 16] = [
     "experiment",
     "kernel",
     "precision",
@@ -22,6 +22,7 @@ const NAMES: [&str; 15] = [
     "leading",
     "code",
     "priced",
+    "err_against",
 ];
 
 /// Columns that say on what it was measured. One subject under other settings than before is not

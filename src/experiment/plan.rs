@@ -84,7 +84,9 @@ impl Plan {
             Workload::Nearest(nearest) => {
                 nearest.orders.iter().map(|order| (None, *order)).collect()
             }
-            Workload::Codes(_) | Workload::Counts | Workload::Arithmetic => Vec::new(),
+            Workload::Codes(_) | Workload::Counts | Workload::Arithmetic | Workload::Errors(_) => {
+                Vec::new()
+            }
         }
     }
 

@@ -21,6 +21,8 @@ pub enum Workload {
     Counts,
     /// Multiplications and additions alone, at every level.
     Arithmetic,
+    /// Errors of random hits over several seeds; no clock.
+    Errors(ErrorsWorkload),
 }
 
 /// Pairs at an exact hit density.
@@ -48,6 +50,9 @@ pub struct PairsWorkload {
     pub orders: Vec<Order>,
     /// Tests that the column `seconds` is scaled to (thesis B: 25 000 x 20 000).
     pub seconds_of_tests: Option<f64>,
+    /// Errors of the same variants on random hits, in rows of their own: pairs that can be timed in
+    /// one go are too few for the rarer errors.
+    pub errors: Option<ErrorsWorkload>,
 }
 
 /// Cut into windows, fifteen kernels in turn stay within what a branch predictor remembers.
@@ -127,6 +132,16 @@ pub struct CodesWorkload {
     pub orders: Vec<Order>,
 }
 
+/// Random hits whose errors are measured.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ErrorsWorkload {
+    /// Hits of each seed.
+    pub hits: usize,
+    /// Number of seeds, from the experiment's on.
+    pub seeds: usize,
+}
+
 impl Workload {
     /// Whether it is variants that are run.
     pub fn has_variants(&self) -> bool {
@@ -145,6 +160,7 @@ impl Workload {
             Workload::Nearest(nearest) => nearest.validate(),
             Workload::Points(points) => points.validate(),
             Workload::Codes(codes) => codes.validate(),
+            Workload::Errors(errors) => errors.validate(),
             Workload::Counts | Workload::Arithmetic => Ok(()),
         }
     }
@@ -183,6 +199,7 @@ impl PairsWorkload {
                 "workload.seconds_of_tests: {tests} is not allowed; allowed: above 0"
             ));
         }
+        self.errors.as_ref().map_or(Ok(()), ErrorsWorkload::validate)?;
         in_range("count", self.count, 1)?;
         in_range("reshuffled_count", self.reshuffled_count, 1)
     }
@@ -224,5 +241,12 @@ impl CodesWorkload {
         }
         in_range("timed_pairs", self.timed_pairs, 1)?;
         in_range("pairs", self.pairs, 1)
+    }
+}
+
+impl ErrorsWorkload {
+    fn validate(&self) -> Result<(), String> {
+        in_range("hits", self.hits, 1)?;
+        in_range("seeds", self.seeds, 1)
     }
 }
