@@ -7,8 +7,10 @@ mod axis;
 mod bars;
 mod canvas;
 mod counts;
+mod envelope;
 mod figure;
 mod frame;
+mod heat;
 mod labels;
 mod line_marks;
 mod lines;
@@ -16,13 +18,16 @@ mod palette;
 mod published;
 mod select;
 mod shares;
+mod stability;
 mod svg;
 #[cfg(test)]
 mod tests;
 mod text;
 
+pub use envelope::Envelope;
 pub use figure::{Beside, Figure, Kind, Names, Scale, Wanted};
 pub use published::{Measure, Published, PublishedPoint};
+pub use stability::stability_figures;
 
 use crate::table::Row;
 
@@ -73,6 +78,7 @@ pub fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Result<Stri
         Kind::Bars => bars::draw(figure, rows, published),
         Kind::Shares => shares::draw(figure, rows, published),
         Kind::Counts => counts::draw(figure, rows, published),
+        Kind::Heat => heat::draw(figure, rows),
     };
     match drawn {
         Err(ChartError::Nothing(reason)) => frame::placeholder(figure, &reason),

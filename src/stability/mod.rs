@@ -35,4 +35,5 @@ pub use family::Family;
 pub use forms::{Form, UnknownForm, forms, known_words};
 pub use parallel::Watch;
 pub use precision::Precision;
-pub use sweep::{Depth, Sweep};
+pub use rows::EXPERIMENT;
+pub use sweep::{Depth, Outcome, Sweep};

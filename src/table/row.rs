@@ -357,9 +357,13 @@ columns! {
 
 impl Serialize for Row {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(COLUMNS.len()))?;
-        for column in COLUMNS {
-            map.serialize_entry(column, &self.cell(column))?;
+        let mut map = serializer.serialize_map(None)?;
+        for (place, column) in COLUMNS.iter().enumerate() {
+            let cell = self.cell(column).unwrap_or(Cell::Missing);
+            // The contract's columns are always there; of ours, an empty one would only take room.
+            if place < REQUIRED || cell != Cell::Missing {
+                map.serialize_entry(column, &cell)?;
+            }
         }
         map.end()
     }
