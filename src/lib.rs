@@ -101,6 +101,9 @@ pub mod compare;
 pub mod experiment;
 
 #[cfg(feature = "cli")]
+pub mod stability;
+
+#[cfg(feature = "cli")]
 pub mod doctor;
 
 #[cfg(feature = "cli")]

@@ -99,6 +99,7 @@ impl Samples {
             uv_bits_lost_mean: uv_bits.mean(),
             uv_bits_lost_max: uv_bits.max(),
             t_ulp: Sorted::new(self.t_ulp).quantiles(),
+            t_relative: relative[0].quantiles(),
             u_max: largest(self.u),
             v_max: largest(self.v),
             barycentric: Sorted::new(self.barycentric).quantiles(),

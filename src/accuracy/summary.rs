@@ -49,6 +49,8 @@ pub struct Accuracy {
     pub uv_bits_lost_max: Option<f64>,
     /// |t - exact| in units in the last place of the precision.
     pub t_ulp: Quantiles,
+    /// |t - exact| / |exact|.
+    pub t_relative: Quantiles,
     /// Largest |u - exact|.
     pub u_max: Option<f64>,
     /// Largest |v - exact|.

@@ -1,5 +1,6 @@
 //! The `[[figure]]` table of an experiment: what is drawn from its rows.
 
+use super::envelope::Envelope;
 use super::wanted::{Wanted, admits};
 use super::{ChartError, Published};
 use crate::table::{COLUMNS, Row};
@@ -21,6 +22,8 @@ pub enum Kind {
     /// Time over error, both logarithmic: which form to take for an error, or a time, that one can
     /// afford. One point per series and `precision`, those of a series joined.
     Precision,
+    /// A field per `series` and `x`, coloured by `y` from 0 (dark) to 1 (light), `shown` in it.
+    Heat,
 }
 
 /// How values are placed on the axis.
@@ -82,7 +85,7 @@ pub struct Beside {
 pub struct Figure {
     /// File name without its ending: `b-4.1`.
     pub file: String,
-    /// `lines`, `bars`, `shares` or `counts`.
+    /// `lines`, `bars`, `shares`, `counts` or `heat`.
     pub kind: Kind,
     /// The title: the question that the figure answers.
     pub question: String,
@@ -96,8 +99,8 @@ pub struct Figure {
     /// Column of the figure drawn, numeric. Not used by `counts`.
     #[serde(default)]
     pub y: String,
-    /// `bars` only: further figures beside `y`, in its unit; then a bar is named by its column, and
-    /// `series` must not be given.
+    /// Further figures beside `y`, in its unit. `bars`: a bar is named by its column, and `series`
+    /// must not be given. `lines`: a panel each, named by its column.
     #[serde(default)]
     pub also: Vec<String>,
     /// `shares` only: column of the lower chart; without it there is no lower chart.
@@ -141,6 +144,14 @@ pub struct Figure {
     /// those of the times by their id. Without it, both are of the same row.
     #[serde(default)]
     pub errors_from: BTreeMap<String, Wanted>,
+    /// `lines` only: what may be expected of every series.
+    pub envelope: Option<Envelope>,
+    /// `bars` on a log axis only: column of the bound that stands, hollow, where `y` is 0.
+    pub bound: Option<String>,
+    /// `heat` only: column of the number in each field; a dash where it is empty.
+    pub shown: Option<String>,
+    /// `heat` only: the series that stands first, apart from the others.
+    pub apart: Option<String>,
     /// Value as stored to the words shown for it, for series, panels and categories.
     #[serde(default)]
     pub labels: BTreeMap<String, String>,
@@ -184,11 +195,15 @@ impl Figure {
 
     /// Refuses a key that the kind of chart does not look at: it would be silently without effect.
     fn validate_use(&self) -> Result<(), ChartError> {
-        use Kind::{Bars, Lines, Precision, Shares};
-        let uses: [(&'static str, bool, &[Kind]); 14] = [
-            ("also", !self.also.is_empty(), &[Bars]),
-            ("x", !self.x.list().is_empty(), &[Lines, Bars, Shares, Precision]),
-            ("y", !self.y.is_empty(), &[Lines, Bars, Shares, Precision]),
+        use Kind::{Bars, Heat, Lines, Precision, Shares};
+        let uses: [(&'static str, bool, &[Kind]); 18] = [
+            ("envelope", self.envelope.is_some(), &[Lines]),
+            ("bound", self.bound.is_some(), &[Bars]),
+            ("shown", self.shown.is_some(), &[Heat]),
+            ("apart", self.apart.is_some(), &[Heat]),
+            ("also", !self.also.is_empty(), &[Bars, Lines]),
+            ("x", !self.x.list().is_empty(), &[Lines, Bars, Shares, Precision, Heat]),
+            ("y", !self.y.is_empty(), &[Lines, Bars, Shares, Precision, Heat]),
             ("y_below", self.y_below.is_some(), &[Shares]),
             ("y_below_title", self.y_below_title.is_some(), &[Shares]),
             ("panels", self.panels.is_some(), &[Lines, Bars, Precision]),
@@ -211,6 +226,15 @@ impl Figure {
     fn validate_axes(&self) -> Result<(), ChartError> {
         self.numeric_column("y", &self.y)?;
         self.also.iter().try_for_each(|column| self.numeric_column("also", column))?;
+        for column in self.bound.iter().chain(&self.shown) {
+            self.numeric_column("bound, shown", column)?;
+        }
+        if let Some(envelope) = &self.envelope {
+            envelope
+                .columns
+                .iter()
+                .try_for_each(|column| self.numeric_column("envelope", column))?;
+        }
         if let Some(column) = &self.y_below {
             self.numeric_column("y_below", column)?;
         }

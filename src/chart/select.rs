@@ -101,6 +101,34 @@ impl<'a> Selection<'a> {
         Ok(points)
     }
 
+    /// The points of `y` and of what stands beside it, a panel a column; a column without values
+    /// has no panel, unless none has.
+    pub fn points_by_column(&self, figure: &Figure) -> Result<Vec<Point>, ChartError> {
+        if figure.also.is_empty() {
+            return self.points(figure, &figure.y);
+        }
+        let mut points = Vec::new();
+        let mut nothing = Ok(Vec::new());
+        for column in std::iter::once(&figure.y).chain(&figure.also) {
+            match self.points(figure, column) {
+                Ok(found) => points.extend(
+                    found.into_iter().map(|point| Point { panel: column.clone(), ..point }),
+                ),
+                Err(ChartError::Nothing(reason)) => nothing = Err(ChartError::Nothing(reason)),
+                Err(other) => return Err(other),
+            }
+        }
+        if points.is_empty() { nothing } else { Ok(points) }
+    }
+
+    /// The points of the bounds that stand where a value is 0.
+    pub fn bounds(&self, figure: &Figure) -> Result<Vec<Point>, ChartError> {
+        match figure.bound.as_ref().map(|bound| self.points(figure, bound)) {
+            None | Some(Err(ChartError::Nothing(_))) => Ok(Vec::new()),
+            Some(other) => other,
+        }
+    }
+
     /// Where the figures come from: experiment, number of rows, rounds, pairs, seed.
     pub fn source(&self) -> String {
         let mut parts = vec![self.distinct("experiment", "", "experiments")];

@@ -16,6 +16,8 @@ mod lock;
 mod progress;
 mod show;
 mod slices;
+mod stability;
+mod stability_tables;
 mod thesis;
 mod unfinished;
 
@@ -58,5 +60,6 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Doctor(doctor)) => doctor::run(&doctor),
         Some(Verb::List(list)) => list::run(&list),
         Some(Verb::Compare(compare)) => compare::run(&compare),
+        Some(Verb::Stability(stability)) => stability::run(&stability),
     }
 }
