@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
 use super::baseline::Baselines;
+use super::check::{self, Check};
 use super::compare::Compare;
 use crate::experiment::Profile;
 use crate::measure::{Order, Pin};
@@ -92,6 +93,9 @@ pub enum Verb {
         after_help = "Examples:\n  ray_test compare results/before results/after\n  ray_test compare a/b-4.2/rows.json b/b-4.2/rows.json --threshold 5% --format markdown"
     )]
     Compare(Compare),
+    /// Put cases of your own through every kernel, against the exact answer
+    #[command(after_help = check::HELP)]
+    Check(Check),
 }
 
 /// `ray_test run`
@@ -289,7 +293,7 @@ fn slip(word: &str) -> Option<String> {
     if word.parse::<f64>().is_ok() || word == "all" {
         return None;
     }
-    let here = ["run", "reproduce", "doctor", "list", "compare", "help"];
+    let here = ["run", "reproduce", "doctor", "list", "compare", "check", "help"];
     let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
     if VERBS.contains(&word) && !here.contains(&word) {
         let known = known.join(", ");

@@ -3,6 +3,10 @@
 mod arguments;
 mod baseline;
 mod batch;
+mod check;
+mod check_forms;
+mod check_rows;
+mod check_summary;
 mod compare;
 mod comparison;
 mod doctor;
@@ -52,5 +56,6 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Doctor(doctor)) => doctor::run(&doctor),
         Some(Verb::List(list)) => list::run(&list),
         Some(Verb::Compare(compare)) => compare::run(&compare),
+        Some(Verb::Check(check)) => check::run(&check),
     }
 }
