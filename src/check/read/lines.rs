@@ -6,6 +6,9 @@ use std::io::{BufRead, Read};
 /// Longest line, bytes: far more than a case needs, and no more than one wants in memory.
 const LONGEST: u64 = 1 << 20;
 
+/// What some editors put before the first line of UTF-8.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// Lines that are not blank, with their numbers.
 pub struct Lines<R> {
     input: R,
@@ -33,12 +36,14 @@ impl<R: BufRead> Lines<R> {
             if self.bytes.len() as u64 == LONGEST && !self.bytes.ends_with(b"\n") {
                 return Err(self.bad("", format!("allowed: lines of less than {LONGEST} bytes")));
             }
+            if self.number == 1 && self.bytes.starts_with(MARK) {
+                self.bytes.drain(..MARK.len());
+            }
             if !self.bytes.iter().all(u8::is_ascii_whitespace) {
                 break;
             }
         }
-        let mark = if self.number == 1 && self.bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
-        match std::str::from_utf8(&self.bytes[mark..]) {
+        match std::str::from_utf8(&self.bytes) {
             Ok(line) => Ok(Some(line.trim_end_matches(['\n', '\r']))),
             Err(_) => Err(self.bad("", "not UTF-8; allowed: UTF-8".into())),
         }

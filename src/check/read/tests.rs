@@ -48,7 +48,7 @@ fn json_lines_read_as_csv_does() {
 #[test]
 fn blank_lines_marks_and_line_ends_do_not_count() {
     let row = "1,2,3,4,5,6,7,8,9,10,11,12,13,14,15";
-    let text = format!("\u{feff}\r\n{HEADER} ,id\r\n\r\n{row}, \"a, b\" \r\n  \n {row},\n{row},c");
+    let text = format!("\u{feff}\r\n{HEADER} ,id\r\n\r\n{row},\"a, b\" \r\n  \n {row},\n{row},c");
     let ids: Vec<String> = read(&text).expect("cases").into_iter().map(|case| case.id).collect();
     assert_eq!(ids, ["a, b", "2", "c"]);
 }
