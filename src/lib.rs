@@ -84,6 +84,8 @@ pub mod oracle;
 
 pub mod accuracy;
 
+pub mod check;
+
 pub mod stats;
 
 pub mod measure;

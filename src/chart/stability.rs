@@ -1,7 +1,7 @@
 //! The figures of a sweep over stiff and extreme cases.
 
-use super::envelope::Envelope;
 use super::Wanted;
+use super::envelope::Envelope;
 use super::figure::{Figure, Kind, Names, Scale};
 use crate::table::Row;
 use std::collections::BTreeMap;
@@ -68,6 +68,10 @@ fn blank(file: String, kind: Kind, question: String) -> Figure {
         bound: None,
         shown: None,
         apart: None,
+        over: None,
+        x_low: None,
+        x_high: None,
+        errors_from: BTreeMap::new(),
         labels: BTreeMap::new(),
     }
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
 use super::baseline::Baselines;
+use super::check::{self, Check};
 use super::compare::Compare;
 use super::stability::{self, Stability};
 use crate::experiment::Profile;
@@ -96,6 +97,9 @@ pub enum Verb {
     /// Sweep stiff and extreme cases: where each kernel starts to fail, which rays it loses
     #[command(after_help = stability::HELP)]
     Stability(Stability),
+    /// Put cases of your own through every kernel, against the exact answer
+    #[command(after_help = check::HELP)]
+    Check(Check),
 }
 
 /// `ray_test run`
@@ -295,7 +299,7 @@ fn slip(word: &str) -> Option<String> {
     if word.parse::<f64>().is_ok() || word == "all" {
         return None;
     }
-    let here = ["run", "reproduce", "doctor", "list", "compare", "stability", "help"];
+    let here = ["run", "reproduce", "doctor", "list", "compare", "stability", "check", "help"];
     let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
     if VERBS.contains(&word) && !here.contains(&word) {
         let known = known.join(", ");

@@ -4,6 +4,10 @@ mod addresses;
 mod arguments;
 mod baseline;
 mod batch;
+mod check;
+mod check_forms;
+mod check_rows;
+mod check_summary;
 mod compare;
 mod comparison;
 mod doctor;
@@ -61,5 +65,6 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::List(list)) => list::run(&list),
         Some(Verb::Compare(compare)) => compare::run(&compare),
         Some(Verb::Stability(stability)) => stability::run(&stability),
+        Some(Verb::Check(check)) => check::run(&check),
     }
 }
