@@ -1,7 +1,7 @@
 //! What a test executes: operations by kind, per kernel and exit path, without a clock.
 //!
 //! Every kernel runs on [`Counted`] numbers. What is prepared per triangle is not counted; what is
-//! met per triangle and tested per ray is, as for a single ray.
+//! prepared per ray, met per triangle and tested is, as for a single ray and a single triangle.
 
 use crate::batch::widened;
 use crate::kernels::listings::{Badouel, ChirkovLine, Listing, Literally, Moller, Placement};
@@ -129,7 +129,7 @@ fn tested<K: Offers, P: Policy>(ray: &Ray, triangle: &Triangle) -> (u8, Operatio
     let ray = widened(ray);
     let (found, operations) = count(|| {
         let met = K::meet::<P, Number>((), &record);
-        K::test::<P, Number>(&ray, &met)
+        K::test::<P, Number>(&ray, &K::aim::<P, Number>(&ray), &met)
     });
     (found.map_or_else(|miss| miss.0, |_| 0), operations)
 }

@@ -35,6 +35,7 @@ impl Kernel for HalfSpaces {
     };
     type Record<E: Element> = Corners<E>;
     type Met<R: Real> = Met<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
         *corners
@@ -47,7 +48,10 @@ impl Kernel for HalfSpaces {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
         let (o, d) = (ray.origin, ray.direction);
         let (a, b, c) = (tri.corners.a - o, tri.corners.b - o, tri.corners.c - o);
         let sides =

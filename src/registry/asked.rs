@@ -129,7 +129,7 @@ fn form<K: Offers, E: Element, D: Division, A: Rounding, C: Tests>(all: &mut Vec
 fn ask<K: Offers, P: Policy, E: Element>(query: &Query) -> Answer {
     let (ray, corners) = posed::<E>(query);
     let met = K::meet::<P, E>((), &K::prepare(&corners));
-    match K::test::<P, E>(&ray, &met) {
+    match K::test::<P, E>(&ray, &K::aim::<P, E>(&ray), &met) {
         Ok(found) if found.hit => answer(true, [found.t, found.u, found.v], 0),
         Ok(_) => answer(false, [E::ZERO; 3], u8::MAX),
         Err(miss) => answer(false, [E::ZERO; 3], miss.0),

@@ -118,7 +118,7 @@ where
 
 fn run<K: Kernel, P: Policy>(ray: &Ray<Exact>, corners: &Corners<Exact>) -> Answer {
     let met = K::meet::<P, Exact>((), &K::prepare(corners));
-    match K::test::<P, Exact>(ray, &met) {
+    match K::test::<P, Exact>(ray, &K::aim::<P, Exact>(ray), &met) {
         Ok(found) if found.hit => Some([found.t, found.u, found.v]),
         _ => None,
     }
