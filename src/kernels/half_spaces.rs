@@ -113,8 +113,10 @@ pub fn contains_shares<P: Policy, R: Real>(
 ) -> Result<(R::Mask, R, R), Miss> {
     let zero = wa.zero();
     let area = P::dot(n, n);
-    let inside = wa.ge(zero) & wb.ge(zero) & wc.ge(zero) & P::divisible(area);
-    let hit = P::keep(inside, 3)?;
+    // Divided last in every form.
+    let divisible = Last::divisible::<P, R>(area);
+    let hit = P::keep(wa.ge(zero) & wb.ge(zero) & wc.ge(zero) & divisible, 3)?;
     let inverse = Last::inverse(Scale { factor: area, one: area });
-    Ok((hit, wb * inverse, wc * inverse))
+    let (u, v) = (wb * inverse, wc * inverse);
+    Ok((hit & P::finite(u) & P::finite(v), u, v))
 }

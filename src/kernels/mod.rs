@@ -7,32 +7,44 @@
 
 mod angle_sum;
 mod badouel_cramer;
+mod baldwin_weber;
 mod chirkov;
+mod edges;
+mod embree_plucker;
 mod half_spaces;
 mod keidy;
 mod kensler_shirley;
 pub mod listings;
 mod moller_trumbore;
+mod moller_trumbore_in_f64;
 mod perpendicular_planes;
 mod plucker;
 mod shevtsov;
 mod signed_areas;
 mod stored;
 mod wald;
+mod woop_affine;
+mod woop_watertight;
 
 pub use angle_sum::AngleSum;
 pub use badouel_cramer::BadouelCramer;
+pub use baldwin_weber::{BaldwinWeber, Column, FromPositions, FromRows};
 pub use chirkov::Chirkov;
+pub use edges::{Edges, ExactSign, Fallback, NoFallback};
+pub use embree_plucker::EmbreePlucker;
 pub use half_spaces::HalfSpaces;
 pub use keidy::Keidy;
 pub use kensler_shirley::KenslerShirley;
 pub use moller_trumbore::MollerTrumbore;
+pub use moller_trumbore_in_f64::MollerTrumboreInF64;
 pub use perpendicular_planes::PerpendicularPlanes;
 pub use plucker::Plucker;
 pub use shevtsov::Shevtsov;
 pub use signed_areas::SignedAreas;
 pub use stored::{Precomputed, Stored, Vertices, WithNormal};
 pub use wald::Wald;
+pub use woop_affine::WoopAffine;
+pub use woop_watertight::WoopWatertight;
 
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Found, Miss, Policy, Ray};

@@ -105,8 +105,9 @@ pub fn point_on<P: Policy, R: Real>(ray: &Ray<R>, t: R, scale: Scale<R>) -> Vec3
     ])
 }
 
+/// n . p + d, in `scale`.
 #[inline(always)]
-fn share<P: Policy, R: Real>(p: Vec3<R>, n: Vec3<R>, d: R, scale: Scale<R>) -> R {
+pub fn share<P: Policy, R: Real>(p: Vec3<R>, n: Vec3<R>, d: R, scale: Scale<R>) -> R {
     let xy = P::multiply_add(p.y(), n.y(), P::multiply_add(p.x(), n.x(), P::scaled(d, scale)));
     P::multiply_add(p.z(), n.z(), xy)
 }

@@ -244,6 +244,10 @@ columns! {
     cold_floor_ns: Option<f64>,
     /// Hash of the bits of all outputs of one pass.
     outputs_hash: String,
+    /// How edge functions keep their signs: `fallback`, `no-fallback` or `exact-sign`.
+    edges: String,
+    /// `kept`, or `flushed` to zero.
+    subnormals: String,
 }
 
 impl Serialize for Row {
