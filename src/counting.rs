@@ -1,13 +1,15 @@
 //! What a test executes: operations by kind, per kernel and exit path, without a clock.
 //!
 //! Every kernel runs on [`Counted`] numbers. What is prepared per triangle is not counted; what is
-//! met per triangle and tested per ray is, as for a single ray.
+//! prepared per ray, met per triangle and tested is, as for a single ray and a single triangle.
 
 use crate::batch::widened;
 use crate::kernels::listings::{Badouel, ChirkovLine, Listing, Literally, Moller, Placement};
 use crate::kernels::{
-    AngleSum, BadouelCramer, Chirkov, HalfSpaces, Keidy, KenslerShirley, MollerTrumbore,
-    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices, Wald, WithNormal,
+    AngleSum, BadouelCramer, BaldwinWeber, Chirkov, EmbreePlucker, ExactSign, Fallback,
+    FromPositions, FromRows, HalfSpaces, Keidy, KenslerShirley, MollerTrumbore,
+    MollerTrumboreInF64, NoFallback, PerpendicularPlanes, Plucker, Precomputed, Shevtsov,
+    SignedAreas, Vertices, Wald, WithNormal, WoopAffine, WoopWatertight,
 };
 use crate::number::{Counted, Operations, count};
 use crate::policy::{
@@ -26,6 +28,8 @@ pub struct Counter {
     pub kernel: &'static str,
     /// What is stored of a triangle.
     pub stored: &'static str,
+    /// How edge functions keep their signs; empty where there is no such choice.
+    pub edges: &'static str,
     /// `first` or `last`.
     pub division: &'static str,
     /// `t` or `tuv`.
@@ -80,6 +84,14 @@ pub fn counters() -> Vec<Counter> {
     divisions::<HalfSpaces>(&mut counters);
     divisions::<SignedAreas>(&mut counters);
     divisions::<AngleSum>(&mut counters);
+    divisions::<WoopWatertight<Fallback>>(&mut counters);
+    divisions::<WoopWatertight<NoFallback>>(&mut counters);
+    divisions::<WoopWatertight<ExactSign>>(&mut counters);
+    divisions::<EmbreePlucker>(&mut counters);
+    divisions::<BaldwinWeber<FromPositions>>(&mut counters);
+    divisions::<BaldwinWeber<FromRows>>(&mut counters);
+    divisions::<WoopAffine>(&mut counters);
+    divisions::<MollerTrumboreInF64>(&mut counters);
     counters
 }
 
@@ -90,6 +102,7 @@ fn listing<K: Listing>(counters: &mut Vec<Counter>, division: &'static str) {
     let of = |output, run| Counter {
         kernel: K::ABOUT.id,
         stored: K::ABOUT.stored,
+        edges: "",
         division,
         output,
         run,
@@ -118,6 +131,7 @@ fn form<K: Offers, D: Division>() -> Counter {
     Counter {
         kernel: K::ABOUT.id,
         stored: K::ABOUT.stored,
+        edges: K::EDGES,
         division: D::NAME,
         output: if K::UV { "tuv" } else { "t" },
         run: tested::<K, Of<K, D>>,
@@ -129,7 +143,7 @@ fn tested<K: Offers, P: Policy>(ray: &Ray, triangle: &Triangle) -> (u8, Operatio
     let ray = widened(ray);
     let (found, operations) = count(|| {
         let met = K::meet::<P, Number>((), &record);
-        K::test::<P, Number>(&ray, &met)
+        K::test::<P, Number>(&ray, &K::aim::<P, Number>(&ray), &met)
     });
     (found.map_or_else(|miss| miss.0, |_| 0), operations)
 }

@@ -33,7 +33,8 @@
 //!     t_max: f32::MAX,
 //! };
 //! let met = MollerTrumbore::meet::<Usual, f32>((), &MollerTrumbore::prepare(&triangle));
-//! let found = MollerTrumbore::test::<Usual, f32>(&ray, &met).expect("it goes through the middle");
+//! let aim = MollerTrumbore::aim::<Usual, f32>(&ray);
+//! let found = MollerTrumbore::test::<Usual, f32>(&ray, &aim, &met).expect("through the middle");
 //! assert!(found.hit);
 //! assert_eq!((found.t, found.u, found.v), (2.0, 0.25, 0.5));
 //! ```

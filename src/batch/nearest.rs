@@ -139,6 +139,7 @@ fn walk<K: Kernel, P: Policy, R: Real>(
         v: nothing,
         normal: Vec3([nothing; 3]),
     };
+    let aim = K::aim::<P, R>(ray);
     let one = R::splat(token, R::Element::ONE);
     let mut index = nothing;
     for record in records {
@@ -147,7 +148,7 @@ fn walk<K: Kernel, P: Policy, R: Real>(
             black_box(());
         }
         let met = K::meet::<P, R>(token, record);
-        if let Ok(found) = K::test::<P, R>(ray, &met) {
+        if let Ok(found) = K::test::<P, R>(ray, &aim, &met) {
             best.update::<P>(ray, &found, index, K::normal::<P, R>(&met));
         }
         index = index + one;

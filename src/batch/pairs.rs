@@ -33,8 +33,8 @@ impl<L: Level, K: Kernel, P: Policy, E: Element + On<L>> Batch<L> for Pairs<K, P
             for (ray, record) in walk.pairs {
                 // The fence: without it the optimiser tests several pairs at once where nothing branches.
                 black_box(());
-                let met = K::meet::<P, E>((), record);
-                if let Ok(found) = K::test::<P, E>(ray, &met) {
+                let (aim, met) = (K::aim::<P, E>(ray), K::meet::<P, E>((), record));
+                if let Ok(found) = K::test::<P, E>(ray, &aim, &met) {
                     report::<P, E>(&mut sums, ray, &found, K::normal::<P, E>(&met));
                 }
             }

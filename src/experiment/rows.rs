@@ -48,6 +48,8 @@ pub fn of_variant(variant: &Variant) -> Row {
         cull: axes.cull.into(),
         tests_form: axes.tests.into(),
         leading: axes.leading.into(),
+        edges: axes.edges.into(),
+        subnormals: axes.subnormals.into(),
         bytes_per_triangle: Some(variant.bytes_per_triangle as u64),
         build: BuildInfo::of_this_program().label(),
         ..Row::default()

@@ -38,6 +38,7 @@ impl Kernel for AngleSum {
     };
     type Record<E: Element> = Corners<E>;
     type Met<R: Real> = Met<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
         *corners
@@ -50,7 +51,10 @@ impl Kernel for AngleSum {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let hit = P::keep(P::divisible(det), 1)?;
         let (t, scale) = P::quotient(P::dot(tri.n, tri.corners.a - ray.origin), det);

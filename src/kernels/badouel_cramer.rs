@@ -50,6 +50,7 @@ impl Kernel for BadouelCramer {
     };
     type Record<E: Element> = Record<E>;
     type Met<R: Real> = Met<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Record<E> {
         let (e1, e2) = corners.edges();
@@ -75,7 +76,10 @@ impl Kernel for BadouelCramer {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let hit = P::keep(P::divisible(det), 1)?;
         let (t, scale) = P::quotient(tri.nd - P::dot(ray.origin, tri.n), det);

@@ -58,6 +58,7 @@ impl Kernel for Chirkov {
     };
     type Record<E: Element> = Record<E>;
     type Met<R: Real> = Met<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Record<E> {
         let (e1, e2) = corners.edges();
@@ -87,7 +88,10 @@ impl Kernel for Chirkov {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
         let zero = tri.nd.zero();
         let p = P::dot(tri.n, ray.origin) - tri.nd;
         let q = P::dot(tri.n, ray.end) - tri.nd;

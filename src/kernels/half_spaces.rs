@@ -35,6 +35,7 @@ impl Kernel for HalfSpaces {
     };
     type Record<E: Element> = Corners<E>;
     type Met<R: Real> = Met<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
         *corners
@@ -47,7 +48,10 @@ impl Kernel for HalfSpaces {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
         let (o, d) = (ray.origin, ray.direction);
         let (a, b, c) = (tri.corners.a - o, tri.corners.b - o, tri.corners.c - o);
         let sides =
@@ -109,8 +113,10 @@ pub fn contains_shares<P: Policy, R: Real>(
 ) -> Result<(R::Mask, R, R), Miss> {
     let zero = wa.zero();
     let area = P::dot(n, n);
-    let inside = wa.ge(zero) & wb.ge(zero) & wc.ge(zero) & P::divisible(area);
-    let hit = P::keep(inside, 3)?;
+    // Divided last in every form.
+    let divisible = Last::divisible::<P, R>(area);
+    let hit = P::keep(wa.ge(zero) & wb.ge(zero) & wc.ge(zero) & divisible, 3)?;
     let inverse = Last::inverse(Scale { factor: area, one: area });
-    Ok((hit, wb * inverse, wc * inverse))
+    let (u, v) = (wb * inverse, wc * inverse);
+    Ok((hit & P::finite(u) & P::finite(v), u, v))
 }

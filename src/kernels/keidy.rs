@@ -33,6 +33,7 @@ impl<S: Stored> Kernel for Keidy<S> {
     };
     type Record<E: Element> = S::Record<E>;
     type Met<R: Real> = Frame<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> S::Record<E> {
         S::prepare(corners)
@@ -44,7 +45,10 @@ impl<S: Stored> Kernel for Keidy<S> {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Frame<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Frame<R>) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let mut hit = P::keep(P::divisible(det), 1)?;
         let oa = tri.a - ray.origin;

@@ -31,6 +31,7 @@ impl<S: Stored> Kernel for KenslerShirley<S> {
     };
     type Record<E: Element> = S::Record<E>;
     type Met<R: Real> = Frame<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> S::Record<E> {
         S::prepare(corners)
@@ -42,7 +43,10 @@ impl<S: Stored> Kernel for KenslerShirley<S> {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Frame<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Frame<R>) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let scale = P::divide(det);
         let hit = P::keep(P::divisible(det), 1)?;

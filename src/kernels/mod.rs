@@ -1,37 +1,50 @@
 //! The kernels: one file per algorithm, each written once.
 //!
-//! A kernel has three stages. [`Kernel::prepare`] runs once per triangle and fills the stored
-//! record. [`Kernel::meet`] runs once per triangle and packet, on scalars, and broadcasts what the
-//! rays of a packet share. [`Kernel::test`] runs per ray, or per packet of rays.
+//! A kernel has four stages. [`Kernel::prepare`] runs once per triangle and fills the stored
+//! record. [`Kernel::aim`] runs once per ray or packet of rays. [`Kernel::meet`] runs once per
+//! triangle and packet, on scalars, and broadcasts what the rays of a packet share.
+//! [`Kernel::test`] runs per triangle and ray, or packet of rays.
 
 mod angle_sum;
 mod badouel_cramer;
+mod baldwin_weber;
 mod chirkov;
+mod edges;
+mod embree_plucker;
 mod half_spaces;
 mod keidy;
 mod kensler_shirley;
 pub mod listings;
 mod moller_trumbore;
+mod moller_trumbore_in_f64;
 mod perpendicular_planes;
 mod plucker;
 mod shevtsov;
 mod signed_areas;
 mod stored;
 mod wald;
+mod woop_affine;
+mod woop_watertight;
 
 pub use angle_sum::AngleSum;
 pub use badouel_cramer::BadouelCramer;
+pub use baldwin_weber::{BaldwinWeber, Column, FromPositions, FromRows};
 pub use chirkov::Chirkov;
+pub use edges::{Edges, ExactSign, Fallback, NoFallback};
+pub use embree_plucker::EmbreePlucker;
 pub use half_spaces::HalfSpaces;
 pub use keidy::Keidy;
 pub use kensler_shirley::KenslerShirley;
 pub use moller_trumbore::MollerTrumbore;
+pub use moller_trumbore_in_f64::MollerTrumboreInF64;
 pub use perpendicular_planes::PerpendicularPlanes;
 pub use plucker::Plucker;
 pub use shevtsov::Shevtsov;
 pub use signed_areas::SignedAreas;
 pub use stored::{Precomputed, Stored, Vertices, WithNormal};
 pub use wald::Wald;
+pub use woop_affine::WoopAffine;
+pub use woop_watertight::WoopWatertight;
 
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Found, Miss, Policy, Ray};
@@ -93,17 +106,25 @@ pub trait Kernel: 'static {
     type Record<E: Element>: Copy + 'static;
     /// The record, in lanes, with what a packet's rays share.
     type Met<R: Real>: Copy;
+    /// What is prepared of a ray, or of a packet of rays; `()` for nothing.
+    type Aim<R: Real>: Copy;
 
     /// The record of a triangle; any triangle, degenerate ones too.
     fn prepare<E: Element>(corners: &Corners<E>) -> Self::Record<E>;
     /// What is done once per triangle and packet.
     fn meet<P: Policy, R: Real>(token: R::Token, record: &Self::Record<R::Element>)
     -> Self::Met<R>;
+    /// What is done once per ray or packet. It must not read `t_max`, which shrinks from hit to hit.
+    fn aim<P: Policy, R: Real>(ray: &Ray<R>) -> Self::Aim<R>;
     /// The test.
     ///
     /// # Errors
     /// [`Miss`] with the exit's code, in `early` forms, when no lane can hit any more.
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, met: &Self::Met<R>) -> Result<Found<R>, Miss>;
+    fn test<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        aim: &Self::Aim<R>,
+        met: &Self::Met<R>,
+    ) -> Result<Found<R>, Miss>;
     /// A normal of the triangle, of any length, on the side from which a, b, c is counter-clockwise.
     fn normal<P: Policy, R: Real>(met: &Self::Met<R>) -> Vec3<R>;
 }

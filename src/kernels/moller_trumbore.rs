@@ -37,6 +37,7 @@ impl Kernel for MollerTrumbore {
     };
     type Record<E: Element> = Corners<E>;
     type Met<R: Real> = Met<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
         *corners
@@ -53,7 +54,10 @@ impl Kernel for MollerTrumbore {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
         let p = P::cross(ray.direction, tri.e2);
         let det = P::dot(tri.e1, p);
         let scale = P::divide(det);

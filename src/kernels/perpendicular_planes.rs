@@ -42,6 +42,7 @@ impl Kernel for PerpendicularPlanes {
     };
     type Record<E: Element> = Planes<E>;
     type Met<R: Real> = Planes<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Planes<E> {
         let (ab, ac) = corners.edges();
@@ -72,7 +73,10 @@ impl Kernel for PerpendicularPlanes {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Planes<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Planes<R>) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let hit = P::keep(P::divisible(det), 1)?;
         let (t, scale) = P::quotient(tri.nd - P::dot(ray.origin, tri.n), det);
@@ -101,8 +105,9 @@ pub fn point_on<P: Policy, R: Real>(ray: &Ray<R>, t: R, scale: Scale<R>) -> Vec3
     ])
 }
 
+/// n . p + d, in `scale`.
 #[inline(always)]
-fn share<P: Policy, R: Real>(p: Vec3<R>, n: Vec3<R>, d: R, scale: Scale<R>) -> R {
+pub fn share<P: Policy, R: Real>(p: Vec3<R>, n: Vec3<R>, d: R, scale: Scale<R>) -> R {
     let xy = P::multiply_add(p.y(), n.y(), P::multiply_add(p.x(), n.x(), P::scaled(d, scale)));
     P::multiply_add(p.z(), n.z(), xy)
 }

@@ -60,6 +60,8 @@ impl Kernel for Plucker {
     };
     type Record<E: Element> = Corners<E>;
     type Met<R: Real> = Met<R>;
+    /// The ray's moment o x d.
+    type Aim<R: Real> = Vec3<R>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
         *corners
@@ -80,11 +82,19 @@ impl Kernel for Plucker {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
-        let moment = P::cross(ray.origin, ray.direction);
+    fn aim<P: Policy, R: Real>(ray: &Ray<R>) -> Vec3<R> {
+        P::cross(ray.origin, ray.direction)
+    }
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        moment: &Vec3<R>,
+        tri: &Met<R>,
+    ) -> Result<Found<R>, Miss> {
         let [ab, bc, ca] = &tri.edges;
         let sides =
-            [bc.side::<P>(ray, moment), ca.side::<P>(ray, moment), ab.side::<P>(ray, moment)];
+            [bc.side::<P>(ray, *moment), ca.side::<P>(ray, *moment), ab.side::<P>(ray, *moment)];
         finish_sides::<P, R>(ray, sides, tri.n, tri.a - ray.origin)
     }
 

@@ -66,6 +66,7 @@ impl Kernel for Shevtsov {
     };
     type Record<E: Element> = TriAccel<E>;
     type Met<R: Real> = Met<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> TriAccel<E> {
         let (e1, e2) = corners.edges();
@@ -105,7 +106,10 @@ impl Kernel for Shevtsov {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
         let (u, v) = (tri.w.next(), tri.w.next().next());
         let (o, d) = (&ray.origin, &ray.direction);
         let det = -height::<P, R>(d, tri);

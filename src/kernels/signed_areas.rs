@@ -37,6 +37,7 @@ impl Kernel for SignedAreas {
     };
     type Record<E: Element> = Record<E>;
     type Met<R: Real> = Record<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> Record<E> {
         let (e1, e2) = corners.edges();
@@ -49,7 +50,10 @@ impl Kernel for SignedAreas {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Record<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Record<R>) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let hit = P::keep(P::divisible(det), 1)?;
         let (t, scale) = P::quotient(P::dot(tri.n, tri.corners.a - ray.origin), det);

@@ -58,6 +58,7 @@ impl Kernel for Wald {
     };
     type Record<E: Element> = TriAccel<E>;
     type Met<R: Real> = Met<R>;
+    type Aim<R: Real> = ();
 
     fn prepare<E: Element>(corners: &Corners<E>) -> TriAccel<E> {
         let (ab, ac) = corners.edges();
@@ -93,7 +94,10 @@ impl Kernel for Wald {
     }
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
         let (w, u, v) = (tri.w, tri.w.next(), tri.w.next().next());
         let (o, d) = (&ray.origin, &ray.direction);
         let (du, dv, ou, ov) = (u.pick(d), v.pick(d), u.pick(o), v.pick(o));

@@ -21,6 +21,20 @@ impl<M: Mask> Axis<M> {
         Axis::Uniform((axis as usize).min(2))
     }
 
+    /// The axis of the largest magnitude of `v`: the earlier one on a tie, as [`dominant`]; the last
+    /// where there are NaN. One for all where there is one lane, and without a jump.
+    #[inline(always)]
+    pub fn largest<R: Real<Mask = M>>(v: &Vec3<R>) -> Self {
+        let [x, y, z] = [v.x().signed_by(v.x()), v.y().signed_by(v.y()), v.z().signed_by(v.z())];
+        let is_x = x.ge(y) & x.ge(z);
+        let is_y = !is_x & y.ge(z);
+        if R::LANES == 1 {
+            Axis::Uniform(2 - 2 * usize::from(is_x.lane(0)) - usize::from(is_y.lane(0)))
+        } else {
+            Axis::Lanes(is_x, is_y)
+        }
+    }
+
     /// The next axis in the cycle x, y, z, x.
     #[inline(always)]
     pub fn next(self) -> Self {
@@ -80,5 +94,19 @@ mod tests {
         assert_eq!(dominant(Vec3([0.0f32, 0.5, -2.0])), 2);
         assert_eq!(dominant(Vec3([1.0f32, 1.0, 1.0])), 0);
         assert_eq!(dominant(Vec3([0.0f32, -2.0, 2.0])), 1);
+    }
+
+    #[test]
+    fn largest_axis_of_one_lane_is_the_dominant_one() {
+        let numbers = [0.0f32, -1.0, 2.0, -2.0, f32::NAN];
+        for x in numbers {
+            for y in numbers {
+                for z in numbers {
+                    let v = Vec3([x, y, z]);
+                    let places = Vec3([0.0f32, 1.0, 2.0]);
+                    assert_eq!(Axis::largest(&v).pick(&places), dominant(v) as f32, "{v:?}");
+                }
+            }
+        }
     }
 }

@@ -118,12 +118,15 @@ impl<T: Element> Real for Counted<T> {
 }
 
 impl<T: Element> Element for Counted<T> {
+    type Wide = Counted<T::Wide>;
     const NAME: &'static str = "counted";
     const ZERO: Self = Counted(T::ZERO);
     const ONE: Self = Counted(T::ONE);
     const LARGEST_SUBNORMAL: Self = Counted(T::LARGEST_SUBNORMAL);
     const UNIT_ROUNDOFF: Self = Counted(T::UNIT_ROUNDOFF);
+    const EPSILON: Self = Counted(T::EPSILON);
     const MAX: Self = Counted(T::MAX);
+    const SPLITTER: Self = Counted(T::SPLITTER);
     fn from_f32(value: f32) -> Self {
         Counted(T::from_f32(value))
     }
@@ -132,6 +135,12 @@ impl<T: Element> Element for Counted<T> {
     }
     fn to_f64(self) -> f64 {
         self.0.to_f64()
+    }
+    fn widened(self) -> Self::Wide {
+        Counted(self.0.widened())
+    }
+    fn narrowed(wide: Self::Wide) -> Self {
+        Counted(T::narrowed(wide.0))
     }
     fn bits(self) -> u64 {
         self.0.bits()

@@ -5,6 +5,7 @@
 //! | `f32`, `f64` | the single-ray forms |
 //! | [`Lanes`] | packets: one lane a ray, in the registers of an instruction-set level |
 //! | [`Counted`] | the operations that a test executes, by kind |
+//! | [`Flushed`] | what a processor computes that flushes subnormal numbers to zero |
 //! | `Exact` (tests) | rational numbers: the algebra without rounding |
 //!
 //! What is absent matters as much: no `min`, `max` or `abs` (they differ between levels for signed
@@ -12,12 +13,14 @@
 
 mod axis;
 mod counted;
+mod flushed;
 mod lanes;
 mod scalar;
 mod vector;
 
 pub use axis::{Axis, dominant};
 pub use counted::{Counted, Operations, count};
+pub use flushed::Flushed;
 pub use lanes::{LaneMask, Lanes};
 pub use vector::Vec3;
 
@@ -113,6 +116,9 @@ pub trait Real:
 
 /// A number that memory holds: a scalar whose masks are `bool`.
 pub trait Element: Real<Element = Self, Mask = bool, Token = ()> {
+    /// A number that holds products of two of these exactly: f64 for f32. Where there is none, the
+    /// number itself.
+    type Wide: Element;
     /// The column `precision`.
     const NAME: &'static str;
     /// Zero.
@@ -123,14 +129,23 @@ pub trait Element: Real<Element = Self, Mask = bool, Token = ()> {
     const LARGEST_SUBNORMAL: Self;
     /// Half the distance from 1 to the next number; 0 for exact types.
     const UNIT_ROUNDOFF: Self;
+    /// The distance from 1 to the next number, twice the unit roundoff; 0 for exact types.
+    const EPSILON: Self;
     /// The largest finite number.
     const MAX: Self;
+    /// What a number is multiplied by to be split into two halves whose products are exact
+    /// (Veltkamp): 2 to the half of the digits, rounded up, plus 1. Exact types split at any.
+    const SPLITTER: Self;
     /// The exact value of an f32 (`value` is finite).
     fn from_f32(value: f32) -> Self;
     /// The number nearest to `value` (which is finite).
     fn from_f64(value: f64) -> Self;
     /// The nearest f64.
     fn to_f64(self) -> f64;
+    /// The same number, wider.
+    fn widened(self) -> Self::Wide;
+    /// The number nearest to `wide`.
+    fn narrowed(wide: Self::Wide) -> Self;
     /// The bit pattern, zero-extended (0 for types that have none).
     fn bits(self) -> u64;
     /// The number with that bit pattern ([`Element::ZERO`] for types that have none).

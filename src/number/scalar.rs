@@ -17,7 +17,7 @@ impl Mask for bool {
 
 /// Both scalars from one text; what differs is named in the call.
 macro_rules! scalar {
-    ($float:ident, $bits:ident, $name:literal, $acos:path, $sign:expr) => {
+    ($float:ident, $bits:ident, $name:literal, $acos:path, $sign:expr, $splitter:expr) => {
         impl Real for $float {
             type Mask = bool;
             type Element = Self;
@@ -89,12 +89,15 @@ macro_rules! scalar {
         }
 
         impl Element for $float {
+            type Wide = f64;
             const NAME: &'static str = $name;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const LARGEST_SUBNORMAL: Self = <$float>::MIN_POSITIVE.next_down();
             const UNIT_ROUNDOFF: Self = <$float>::EPSILON / 2.0;
+            const EPSILON: Self = <$float>::EPSILON;
             const MAX: Self = <$float>::MAX;
+            const SPLITTER: Self = $splitter;
             #[inline(always)]
             fn from_f32(value: f32) -> Self {
                 Self::from(value)
@@ -106,6 +109,14 @@ macro_rules! scalar {
             #[inline(always)]
             fn to_f64(self) -> f64 {
                 f64::from(self)
+            }
+            #[inline(always)]
+            fn widened(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn narrowed(wide: f64) -> Self {
+                wide as Self
             }
             #[inline(always)]
             fn bits(self) -> u64 {
@@ -127,5 +138,6 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f32, u32, "f32", libm::acosf, 1 << 31);
-scalar!(f64, u64, "f64", libm::acos, 1 << 63);
+// 24 digits are split into 12 and 12, 53 into 26 and 26 with a sign between them.
+scalar!(f32, u32, "f32", libm::acosf, 1 << 31, 4_097.0);
+scalar!(f64, u64, "f64", libm::acos, 1 << 63, 134_217_729.0);

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use super::Miss;
-use crate::number::{Mask, Real};
+use crate::number::{Element, Mask, Real};
 
 /// When a test may end.
 pub trait Exit: Copy + 'static {
@@ -11,6 +11,8 @@ pub trait Exit: Copy + 'static {
     const NAME: &'static str;
     /// Whether the range test waits for the end.
     const DEFERS_RANGE: bool;
+    /// Whether what few lanes need is computed: in `early` where one does, in `full` always.
+    fn corrects<M: Mask>(needed: M) -> bool;
     /// Goes on, or leaves with `code`.
     fn keep<M: Mask>(mask: M, code: u8) -> Result<M, Miss>;
     /// `yes` where `mask` holds, else `no`; `early` may jump for it.
@@ -29,6 +31,10 @@ pub struct Full;
 impl Exit for Early {
     const NAME: &'static str = "early";
     const DEFERS_RANGE: bool = false;
+    #[inline(always)]
+    fn corrects<M: Mask>(needed: M) -> bool {
+        needed.any()
+    }
     #[inline(always)]
     fn keep<M: Mask>(mask: M, code: u8) -> Result<M, Miss> {
         if mask.any() { Ok(mask) } else { Err(Miss(code)) }
@@ -49,6 +55,10 @@ impl Exit for Early {
 impl Exit for Full {
     const NAME: &'static str = "full";
     const DEFERS_RANGE: bool = true;
+    #[inline(always)]
+    fn corrects<M: Mask>(_: M) -> bool {
+        true
+    }
     #[inline(always)]
     fn keep<M: Mask>(mask: M, _: u8) -> Result<M, Miss> {
         Ok(mask)
@@ -71,6 +81,9 @@ pub trait Rounding: Copy + 'static {
     fn multiply_add<R: Real>(a: R, b: R, c: R) -> R;
     /// a b - c
     fn multiply_subtract<R: Real>(a: R, b: R, c: R) -> R;
+    /// a b - `product`, where `product` is a b rounded: the error of that rounding, exactly, unless
+    /// a part of it underflows or a factor is too large to be split.
+    fn product_error<R: Real>(a: R, b: R, product: R) -> R;
 }
 
 /// Every operation rounds: bit-identical on every level and width.
@@ -90,6 +103,20 @@ impl Rounding for Plain {
     fn multiply_subtract<R: Real>(a: R, b: R, c: R) -> R {
         a * b - c
     }
+    /// T. J. Dekker, "A floating-point technique for extending the available precision", 1971.
+    #[inline(always)]
+    fn product_error<R: Real>(a: R, b: R, product: R) -> R {
+        let ((a, a_rest), (b, b_rest)) = (split(a), split(b));
+        a_rest * b_rest - (((product - a * b) - a_rest * b) - a * b_rest)
+    }
+}
+
+/// A number in two halves whose products are exact (G. W. Veltkamp, 1968).
+#[inline(always)]
+fn split<R: Real>(x: R) -> (R, R) {
+    let large = x * x.like(R::Element::SPLITTER);
+    let half = large - (large - x);
+    (half, x - half)
 }
 
 impl Rounding for Fused {
@@ -101,6 +128,10 @@ impl Rounding for Fused {
     #[inline(always)]
     fn multiply_subtract<R: Real>(a: R, b: R, c: R) -> R {
         a.mul_add(b, -c)
+    }
+    #[inline(always)]
+    fn product_error<R: Real>(a: R, b: R, product: R) -> R {
+        a.mul_add(b, -product)
     }
 }
 

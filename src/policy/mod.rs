@@ -17,7 +17,7 @@ pub use axes::{
 pub use scale::{Division, First, Last, Scale};
 pub use tests::{Compare, Products, SignBits, Tests};
 
-use crate::number::{Mask, Real, Vec3};
+use crate::number::{Element, Mask, Real, Vec3};
 
 /// A ray, as a kernel sees it: one, or one per lane.
 #[derive(Clone, Copy)]
@@ -191,9 +191,13 @@ pub trait Policy: Copy + 'static {
         let hit = if Self::Exit::DEFERS_RANGE { hit & Self::within(ray, t, scale) } else { hit };
         let inverse = Self::Division::inverse(scale);
         let resolve = Self::Division::resolve;
-        Ok(Found { hit, t: resolve(t, inverse), u: resolve(u, inverse), v: resolve(v, inverse) })
+        let [t, u, v] = [resolve(t, inverse), resolve(u, inverse), resolve(v, inverse)];
+        // u and v are shares of a finite determinant; t is bounded by nothing but the bounds times
+        // the determinant, which may overflow.
+        let hit = if Self::Division::BEHIND_TESTS { hit & Self::finite(t) } else { hit };
+        Ok(Found { hit, t, u, v })
     }
-    /// The answer where u and v have a denominator of their own.
+    /// The answer where u and v have a denominator of their own, of any size.
     #[inline(always)]
     fn finish_apart<R: Real>(
         hit: R::Mask,
@@ -205,7 +209,21 @@ pub trait Policy: Copy + 'static {
         let (t_inverse, inverse) =
             (Self::Division::inverse(t_scale), Self::Division::inverse(uv_scale));
         let resolve = Self::Division::resolve;
-        Ok(Found { hit, t: resolve(t, t_inverse), u: resolve(u, inverse), v: resolve(v, inverse) })
+        let [t, u, v] = [resolve(t, t_inverse), resolve(u, inverse), resolve(v, inverse)];
+        let hit = if Self::Division::BEHIND_TESTS {
+            hit & Self::finite(t) & Self::finite(u) & Self::finite(v)
+        } else {
+            hit
+        };
+        Ok(Found { hit, t, u, v })
+    }
+    /// Where what is reported is finite. Forms that are kept as published do not ask.
+    #[inline(always)]
+    fn finite<R: Real>(x: R) -> R::Mask {
+        if Self::Tests::SIGN_BITS || Self::Tests::PRODUCTS {
+            return R::mask(x.token(), true);
+        }
+        x.signed_by(x).le(x.like(R::Element::MAX))
     }
 }
 

@@ -16,6 +16,8 @@ pub struct Scale<R> {
 pub trait Division: Copy + 'static {
     /// The column `division`.
     const NAME: &'static str;
+    /// Quotients are computed behind the tests, where they can still overflow.
+    const BEHIND_TESTS: bool;
     /// See [`Policy::divisible`].
     fn divisible<P: Policy, R: Real>(det: R) -> R::Mask;
     /// See [`Policy::divide`].
@@ -41,6 +43,7 @@ pub struct Last;
 
 impl Division for First {
     const NAME: &'static str = "first";
+    const BEHIND_TESTS: bool = false;
     #[inline(always)]
     fn divisible<P: Policy, R: Real>(det: R) -> R::Mask {
         if P::Facing::CULLS { det.gt(det.zero()) } else { det.ne(det.zero()) }
@@ -73,8 +76,10 @@ impl Division for First {
 
 impl Division for Last {
     const NAME: &'static str = "last";
-    /// The reciprocal of a subnormal can overflow, and a hit must never be non-finite; hits lost
-    /// here are a finding about tiny triangles. Sign bits, as printed, test nothing.
+    const BEHIND_TESTS: bool = true;
+    /// The reciprocal of a subnormal can overflow, everything is below an infinite determinant, and
+    /// a hit must never be non-finite; hits lost here are a finding about tiny and huge triangles.
+    /// Sign bits, as printed, test nothing.
     #[inline(always)]
     fn divisible<P: Policy, R: Real>(det: R) -> R::Mask {
         if P::Tests::SIGN_BITS {
@@ -82,6 +87,7 @@ impl Division for Last {
         }
         let magnitude = if P::FLIPS { det.signed_by(det) } else { det };
         magnitude.gt(det.like(R::Element::LARGEST_SUBNORMAL))
+            & magnitude.le(det.like(R::Element::MAX))
     }
     #[inline(always)]
     fn divide<P: Policy, R: Real>(det: R) -> Scale<R> {

@@ -6,11 +6,12 @@
 use crate::job::Answer;
 use crate::kernels::listings::{Badouel, ChirkovLine, Listing, Literally, Moller, Placement};
 use crate::kernels::{
-    About, AngleSum, BadouelCramer, Chirkov, Corners, HalfSpaces, Keidy, KenslerShirley,
-    MollerTrumbore, PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices,
-    Wald, WithNormal,
+    About, AngleSum, BadouelCramer, BaldwinWeber, Chirkov, Corners, EmbreePlucker, ExactSign,
+    Fallback, FromPositions, FromRows, HalfSpaces, Keidy, KenslerShirley, MollerTrumbore,
+    MollerTrumboreInF64, NoFallback, PerpendicularPlanes, Plucker, Precomputed, Shevtsov,
+    SignedAreas, Vertices, Wald, WithNormal, WoopAffine, WoopWatertight,
 };
-use crate::number::{Element, Vec3};
+use crate::number::{Element, Flushed, Vec3};
 use crate::oracle::Query;
 use crate::policy::{
     Between, Compare, Division, Early, First, Form, Fused, Last, Leading, Plain, Policy, Products,
@@ -58,6 +59,14 @@ pub fn asked() -> &'static [Asked] {
         kernel::<HalfSpaces>(&mut all);
         kernel::<SignedAreas>(&mut all);
         kernel::<AngleSum>(&mut all);
+        kernel::<WoopWatertight<Fallback>>(&mut all);
+        kernel::<WoopWatertight<NoFallback>>(&mut all);
+        kernel::<WoopWatertight<ExactSign>>(&mut all);
+        kernel::<EmbreePlucker>(&mut all);
+        kernel::<BaldwinWeber<FromPositions>>(&mut all);
+        kernel::<BaldwinWeber<FromRows>>(&mut all);
+        kernel::<WoopAffine>(&mut all);
+        kernel::<MollerTrumboreInF64>(&mut all);
         listing::<Moller<0>>(&mut all, Placement::AtOnce.division());
         listing::<Moller<1>>(&mut all, Placement::AtTheEnd.division());
         listing::<Moller<2>>(&mut all, Placement::BeforeTheBranch.division());
@@ -71,25 +80,37 @@ pub fn asked() -> &'static [Asked] {
 
 fn kernel<K: Offers>(all: &mut Vec<Asked>) {
     precision::<K, f32>(all);
-    precision::<K, f64>(all);
+    if K::F64 {
+        precision::<K, f64>(all);
+    }
+    if K::LAST {
+        form::<K, Flushed<f32>, Last, Plain, Compare>(all, FLUSHED);
+    } else {
+        form::<K, Flushed<f32>, First, Plain, Compare>(all, FLUSHED);
+    }
 }
 
 fn precision<K: Offers, E: Element>(all: &mut Vec<Asked>) {
     if K::FIRST {
-        form::<K, E, First, Plain, Compare>(all);
-        form::<K, E, First, Fused, Compare>(all);
+        form::<K, E, First, Plain, Compare>(all, KEPT);
+        form::<K, E, First, Fused, Compare>(all, KEPT);
     }
     if K::LAST {
-        form::<K, E, Last, Plain, Compare>(all);
-        form::<K, E, Last, Fused, Compare>(all);
+        form::<K, E, Last, Plain, Compare>(all, KEPT);
+        form::<K, E, Last, Fused, Compare>(all, KEPT);
     }
     if K::SIGN_BITS {
-        form::<K, E, Last, Plain, SignBits>(all);
+        form::<K, E, Last, Plain, SignBits>(all, KEPT);
     }
     if K::PRODUCTS {
-        form::<K, E, Last, Plain, Products>(all);
+        form::<K, E, Last, Plain, Products>(all, KEPT);
     }
 }
+
+/// The axis `subnormals`.
+const KEPT: &str = "kept";
+/// [`Flushed`] numbers: one form per kernel, untimed.
+const FLUSHED: &str = "flushed";
 
 /// The level at which the form is named: the lowest that has it.
 fn level(fused: bool) -> &'static str {
@@ -100,7 +121,14 @@ fn level(fused: bool) -> &'static str {
     }
 }
 
-fn form<K: Offers, E: Element, D: Division, A: Rounding, C: Tests>(all: &mut Vec<Asked>) {
+fn form<K, E, D, A, C>(all: &mut Vec<Asked>, subnormals: &'static str)
+where
+    K: Offers,
+    E: Element,
+    D: Division,
+    A: Rounding,
+    C: Tests,
+{
     type Of<K, D, A, C> = Form<Early, D, A, Tuv, TwoSided, C, <K as Offers>::Native, Between>;
     let axes = Axes {
         kernel: K::ABOUT.id,
@@ -120,6 +148,8 @@ fn form<K: Offers, E: Element, D: Division, A: Rounding, C: Tests>(all: &mut Vec
         stored: K::ABOUT.stored,
         stored_is_native: K::NATIVE_RECORD,
         tests: C::NAME,
+        edges: K::EDGES,
+        subnormals,
         copy: 0,
     };
     let ask = ask::<K, Of<K, D, A, C>, E>;
@@ -129,7 +159,7 @@ fn form<K: Offers, E: Element, D: Division, A: Rounding, C: Tests>(all: &mut Vec
 fn ask<K: Offers, P: Policy, E: Element>(query: &Query) -> Answer {
     let (ray, corners) = posed::<E>(query);
     let met = K::meet::<P, E>((), &K::prepare(&corners));
-    match K::test::<P, E>(&ray, &met) {
+    match K::test::<P, E>(&ray, &K::aim::<P, E>(&ray), &met) {
         Ok(found) if found.hit => answer(true, [found.t, found.u, found.v], 0),
         Ok(_) => answer(false, [E::ZERO; 3], u8::MAX),
         Err(miss) => answer(false, [E::ZERO; 3], miss.0),
@@ -137,11 +167,16 @@ fn ask<K: Offers, P: Policy, E: Element>(query: &Query) -> Answer {
 }
 
 fn listing<K: Listing>(all: &mut Vec<Asked>, division: &'static str) {
-    listed::<K, f32>(all, division);
-    listed::<K, f64>(all, division);
+    listed::<K, f32>(all, division, KEPT);
+    listed::<K, f64>(all, division, KEPT);
+    listed::<K, Flushed<f32>>(all, division, FLUSHED);
 }
 
-fn listed<K: Listing, E: Element>(all: &mut Vec<Asked>, division: &'static str) {
+fn listed<K: Listing, E: Element>(
+    all: &mut Vec<Asked>,
+    division: &'static str,
+    subnormals: &'static str,
+) {
     fn ask<K: Listing, E: Element>(query: &Query) -> Answer {
         let (ray, corners) = posed::<E>(query);
         let (code, t, u, v) = K::run::<E, Literally, true>(&ray, &K::prepare(&corners));
@@ -165,6 +200,8 @@ fn listed<K: Listing, E: Element>(all: &mut Vec<Asked>, division: &'static str) 
         stored: K::ABOUT.stored,
         stored_is_native: true,
         tests: Compare::NAME,
+        edges: "",
+        subnormals,
         copy: 0,
     };
     all.push(Asked { axes, about: &K::ABOUT, is_segment: false, ask: ask::<K, E> });
@@ -214,7 +251,8 @@ mod tests {
         for id in &ids {
             // In f64, single rays are timed in their usual form only.
             let unusual = id.contains("/fused/") || id.contains("/tests=");
-            let untimed = id.contains("/f64/") && unusual;
+            // And no processor is set to flush.
+            let untimed = id.contains("/f64/") && unusual || id.ends_with("/subnormals=flushed");
             assert_eq!(find(id).is_none(), untimed, "{id}");
         }
     }

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::kernels::{Edges, Fallback};
+
 /// The place of a variant on every axis, in the words of the contract.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axes {
@@ -39,12 +41,17 @@ pub struct Axes {
     pub stored_is_native: bool,
     /// `compare`, `sign-bits` or `products`.
     pub tests: &'static str,
+    /// How edge functions keep their signs: `fallback`, `no-fallback` or `exact-sign`; empty for
+    /// kernels that have no such choice.
+    pub edges: &'static str,
+    /// `kept`, or `flushed` to zero.
+    pub subnormals: &'static str,
     /// 0, or the number of a placebo.
     pub copy: usize,
 }
 
 /// The columns of `list variants` behind `id` and `available`.
-pub const COLUMNS: [&str; 15] = [
+pub const COLUMNS: [&str; 17] = [
     "kernel",
     "precision",
     "drive",
@@ -60,11 +67,13 @@ pub const COLUMNS: [&str; 15] = [
     "query",
     "stored",
     "tests",
+    "edges",
+    "subnormals",
 ];
 
 impl Axes {
     /// The values of [`COLUMNS`].
-    pub fn values(&self) -> [&str; 15] {
+    pub fn values(&self) -> [&str; 17] {
         [
             self.kernel,
             self.precision,
@@ -81,6 +90,8 @@ impl Axes {
             self.query,
             self.stored,
             self.tests,
+            self.edges,
+            self.subnormals,
         ]
     }
 
@@ -91,11 +102,13 @@ impl Axes {
         let others = [
             ("copy", self.copy.to_string(), self.copy == 0),
             ("cull", self.cull.into(), self.cull == "off"),
+            ("edges", self.edges.into(), ["", Fallback::NAME].contains(&self.edges)),
             ("layout", self.layout.into(), self.layout == "aos"),
             ("leading", self.leading.into(), self.leading_is_native),
             ("priced", self.priced.into(), self.priced.is_empty()),
             ("query", self.query.into(), self.query == "ray"),
             ("stored", self.stored.into(), self.stored_is_native),
+            ("subnormals", self.subnormals.into(), self.subnormals == "kept"),
             ("tests", self.tests.into(), self.tests == "compare"),
         ];
         for (name, value, is_default) in others {

@@ -2,8 +2,10 @@
 
 use crate::batch::{Nearest, NearestLoop, Pairs, PairsLoop};
 use crate::kernels::{
-    AngleSum, BadouelCramer, Chirkov, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
-    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices, Wald, WithNormal,
+    AngleSum, BadouelCramer, BaldwinWeber, Chirkov, EmbreePlucker, ExactSign, Fallback,
+    FromPositions, FromRows, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
+    MollerTrumboreInF64, NoFallback, PerpendicularPlanes, Plucker, Precomputed, Shevtsov,
+    SignedAreas, Vertices, Wald, WithNormal, WoopAffine, WoopWatertight,
 };
 use crate::level::{self, Level, On, enter};
 use crate::number::Element;
@@ -13,7 +15,7 @@ use crate::policy::{
     Tests, Tuv, TwoSided,
 };
 
-use super::{Axes, Offers, Other, Variant, bind_nearest, bind_pairs};
+use super::{Axes, Offers, Other, Variant, bind_nearest, bind_pairs, edges};
 
 /// Every kernel in every form.
 pub fn all(v: &mut Vec<Variant>) {
@@ -32,6 +34,14 @@ pub fn all(v: &mut Vec<Variant>) {
     kernel::<HalfSpaces>(v);
     kernel::<SignedAreas>(v);
     kernel::<AngleSum>(v);
+    kernel::<WoopWatertight<Fallback>>(v);
+    edges::all::<WoopWatertight<NoFallback>>(v);
+    edges::all::<WoopWatertight<ExactSign>>(v);
+    kernel::<EmbreePlucker>(v);
+    kernel::<BaldwinWeber<FromPositions>>(v);
+    kernel::<BaldwinWeber<FromRows>>(v);
+    kernel::<WoopAffine>(v);
+    kernel::<MollerTrumboreInF64>(v);
 }
 
 /// The levels and the numbers that each of them has natively.
@@ -53,8 +63,10 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     exits::<K, f32, Avx2, Plain>(v);
     exits::<K, f32, Avx2, Fused>(v);
     exits::<K, f32, Avx512, Plain>(v);
-    exits::<K, f64, Sse2, Plain>(v);
-    exits::<K, f64, Avx2, Plain>(v);
+    if K::F64 {
+        exits::<K, f64, Sse2, Plain>(v);
+        exits::<K, f64, Avx2, Plain>(v);
+    }
     if K::PACKETS {
         exits::<K, On<Sse2, f32x4<S2>>, Sse2, Plain>(v);
         exits::<K, On<Sse42, f32x4<S4>>, Sse42, Plain>(v);
@@ -82,7 +94,9 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
 
     outputs::<K, f32, Neon, Plain>(v);
     exits::<K, f32, Neon, Fused>(v);
-    exits::<K, f64, Neon, Plain>(v);
+    if K::F64 {
+        exits::<K, f64, Neon, Plain>(v);
+    }
     if K::PACKETS {
         outputs::<K, Lanes<N, f32x4<N>>, Neon, Plain>(v);
         exits::<K, Lanes<N, f32x4<N>>, Neon, Fused>(v);
@@ -138,7 +152,7 @@ where
 }
 
 /// First and last, where the kernel has them.
-fn divisions_with<K, R, L, E, A, O, F, C, Q>(v: &mut Vec<Variant>)
+pub fn divisions_with<K, R, L, E, A, O, F, C, Q>(v: &mut Vec<Variant>)
 where
     K: Offers,
     R: On<L>,
@@ -200,6 +214,8 @@ where
         stored: K::ABOUT.stored,
         stored_is_native: K::NATIVE_RECORD,
         tests: C::NAME,
+        edges: K::EDGES,
+        subnormals: "kept",
         copy: COPY,
     };
     let outputs = [usize::from(O::T), 2 * usize::from(O::UV), 6 * usize::from(O::SURFACE)];
@@ -230,7 +246,8 @@ fn push<K: Offers, E: Element>(
 /// The exit of one test, in the kernel's own order.
 fn exit_code<K: Offers, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
     fn exit<K: Offers, P: Policy, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
-        K::test::<P, E>(ray, &K::meet::<P, E>((), record)).map_or_else(|miss| miss.0, |_| 0)
+        let (aim, met) = (K::aim::<P, E>(ray), K::meet::<P, E>((), record));
+        K::test::<P, E>(ray, &aim, &met).map_or_else(|miss| miss.0, |_| 0)
     }
     if K::LAST {
         exit::<K, Form<Early, Last, Plain, Tuv, TwoSided, Compare, K::Native, Between>, E>(

@@ -101,6 +101,8 @@ where
         stored: K::ABOUT.stored,
         stored_is_native: true,
         tests: "compare",
+        edges: "",
+        subnormals: "kept",
         copy: COPY,
     };
     v.push(Variant {

@@ -3,6 +3,7 @@
 mod arithmetic;
 mod asked;
 mod axes;
+mod edges;
 mod forms;
 mod listings;
 mod offers;

@@ -1,9 +1,10 @@
 //! What each kernel offers of each axis.
 
 use crate::kernels::{
-    AngleSum, BadouelCramer, Chirkov, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
-    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Stored, Vertices, Wald,
-    WithNormal,
+    AngleSum, BadouelCramer, BaldwinWeber, Chirkov, Column, Edges, EmbreePlucker, HalfSpaces,
+    Keidy, KenslerShirley, Kernel, MollerTrumbore, MollerTrumboreInF64, PerpendicularPlanes,
+    Plucker, Precomputed, Shevtsov, SignedAreas, Stored, Vertices, Wald, WithNormal, WoopAffine,
+    WoopWatertight,
 };
 use crate::policy::{Distance, Inside, Leading};
 
@@ -25,6 +26,10 @@ pub trait Offers: Kernel {
     const CULLS: bool = false;
     /// It runs in packets.
     const PACKETS: bool = true;
+    /// It runs on f64 as well.
+    const F64: bool = true;
+    /// How its edge functions keep their signs; empty where it has no such choice.
+    const EDGES: &'static str = "";
     /// It yields u and v.
     const UV: bool = true;
     /// Its record is the first, or only, that the kernel has.
@@ -89,6 +94,26 @@ impl Offers for AngleSum {
     const LAST: bool = false;
     const PACKETS: bool = false;
     const UV: bool = false;
+}
+impl<E: Edges> Offers for WoopWatertight<E> {
+    type Native = Inside;
+    const EDGES: &'static str = E::NAME;
+}
+impl Offers for EmbreePlucker {
+    type Native = Inside;
+    const LAST: bool = false;
+}
+impl<C: Column> Offers for BaldwinWeber<C> {
+    type Native = Distance;
+    const NATIVE_RECORD: bool = C::AS_PUBLISHED;
+}
+impl Offers for WoopAffine {
+    type Native = Distance;
+}
+impl Offers for MollerTrumboreInF64 {
+    type Native = Inside;
+    const PACKETS: bool = false;
+    const F64: bool = false;
 }
 
 /// Which record of several is the kernel's first.

@@ -61,6 +61,8 @@ fn form<K: PointTest, E: Element + On<Base>, X: Exit, C: Tests>(v: &mut Vec<Vari
         stored: K::ABOUT.stored,
         stored_is_native: true,
         tests: C::NAME,
+        edges: "",
+        subnormals: "kept",
         copy: 0,
     };
     v.push(Variant {

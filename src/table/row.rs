@@ -355,6 +355,10 @@ columns! {
     metamorphic_decisions: Option<u64>,
     /// Hits of both whose u or v changed a bit.
     metamorphic_uv: Option<u64>,
+    /// How edge functions keep their signs: `fallback`, `no-fallback` or `exact-sign`.
+    edges: String,
+    /// `kept`, or `flushed` to zero.
+    subnormals: String,
 }
 
 impl Serialize for Row {

@@ -12,8 +12,10 @@ use std::any::type_name;
 use std::collections::BTreeMap;
 
 use ray_test::kernels::{
-    BadouelCramer, Chirkov, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
+    BadouelCramer, BaldwinWeber, Chirkov, EmbreePlucker, ExactSign, Fallback, FromPositions,
+    FromRows, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore, NoFallback,
     PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices, Wald, WithNormal,
+    WoopAffine, WoopWatertight,
 };
 use ray_test::level::{self, Level, On, enter};
 use ray_test::number::{Element, Lanes, Real};
@@ -187,7 +189,8 @@ fn kernel<K: Offers>(law: &mut Law) {
     others::<K, Neon, Lanes<N, f32x4<N>>>(law);
 }
 
-/// Every kernel that has packets (the sum of angles is single: its arc cosine is `libm`'s).
+/// Every kernel that has packets (the sum of angles is single: its arc cosine is `libm`'s; Moeller-Trumbore in f64
+/// is, too).
 #[test]
 fn lanes_agree_bit_for_bit() {
     let mut law = Law {
@@ -210,6 +213,13 @@ fn lanes_agree_bit_for_bit() {
     kernel::<Plucker>(&mut law);
     kernel::<HalfSpaces>(&mut law);
     kernel::<SignedAreas>(&mut law);
+    kernel::<WoopWatertight<Fallback>>(&mut law);
+    kernel::<WoopWatertight<NoFallback>>(&mut law);
+    kernel::<WoopWatertight<ExactSign>>(&mut law);
+    kernel::<EmbreePlucker>(&mut law);
+    kernel::<BaldwinWeber<FromPositions>>(&mut law);
+    kernel::<BaldwinWeber<FromRows>>(&mut law);
+    kernel::<WoopAffine>(&mut law);
 
     let skipped = law.levels.iter().filter(|(_, forms)| forms.is_none()).count();
     for (level, forms) in &law.levels {

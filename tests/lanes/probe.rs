@@ -31,7 +31,8 @@ impl<L: Level, K: Kernel, P: Policy, R: Real + On<L>> Batch<L> for Probe<K, P, R
         for rays in rays.chunks_exact(R::LANES) {
             let met = K::meet::<P, R>(token, record);
             let normal = K::normal::<P, R>(&met);
-            let found = K::test::<P, R>(&load(token, rays), &met);
+            let ray = load(token, rays);
+            let found = K::test::<P, R>(&ray, &K::aim::<P, R>(&ray), &met);
             let (left, hit, [t, u, v]) = match found {
                 Ok(found) => (false, found.hit, [found.t, found.u, found.v]),
                 Err(_) => (true, R::mask(token, false), normal.0),
@@ -98,7 +99,7 @@ fn hits_without_numbers<E: Element>(lane: &Lane<E>, scalar: &Lane<E>) -> bool {
 pub fn scalar<K: Kernel, P: Policy, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> Lane<E> {
     let met = K::meet::<P, E>((), record);
     let [x, y, z] = K::normal::<P, E>(&met).0;
-    match K::test::<P, E>(ray, &met) {
+    match K::test::<P, E>(ray, &K::aim::<P, E>(ray), &met) {
         Ok(found) => {
             Lane { left: false, hit: found.hit, numbers: [found.t, found.u, found.v, x, y, z] }
         }

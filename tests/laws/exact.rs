@@ -193,12 +193,15 @@ impl Real for Exact {
 }
 
 impl Element for Exact {
+    type Wide = Self;
     const NAME: &'static str = "exact";
     const ZERO: Self = Exact { place: 0, epoch: 0 };
     const ONE: Self = Exact { place: 1, epoch: 0 };
     const LARGEST_SUBNORMAL: Self = Self::ZERO;
     const UNIT_ROUNDOFF: Self = Self::ZERO;
+    const EPSILON: Self = Self::ZERO;
     const MAX: Self = Exact { place: 2, epoch: 0 };
+    const SPLITTER: Self = Self::ONE;
 
     fn from_f32(value: f32) -> Self {
         Self::of(f64::from(value))
@@ -209,6 +212,12 @@ impl Element for Exact {
     fn to_f64(self) -> f64 {
         ARENA
             .with_borrow(|arena| arena.get(self).map_or(f64::NAN, |number| number.to_f64().value()))
+    }
+    fn widened(self) -> Self {
+        self
+    }
+    fn narrowed(wide: Self) -> Self {
+        wide
     }
     fn bits(self) -> u64 {
         0

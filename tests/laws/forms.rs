@@ -1,8 +1,10 @@
 //! Every form of every kernel over exact numbers, in groups that must agree.
 
 use ray_test::kernels::{
-    BadouelCramer, Chirkov, Corners, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
-    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices, Wald, WithNormal,
+    BadouelCramer, BaldwinWeber, Chirkov, Corners, EmbreePlucker, ExactSign, Fallback,
+    FromPositions, FromRows, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
+    MollerTrumboreInF64, NoFallback, PerpendicularPlanes, Plucker, Precomputed, Shevtsov,
+    SignedAreas, Vertices, Wald, WithNormal, WoopAffine, WoopWatertight,
 };
 use ray_test::policy::{
     Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused,
@@ -52,6 +54,15 @@ pub fn groups() -> Vec<Group> {
     kernel::<Plucker>(&mut groups);
     kernel::<HalfSpaces>(&mut groups);
     kernel::<SignedAreas>(&mut groups);
+    kernel::<WoopWatertight<Fallback>>(&mut groups);
+    kernel::<WoopWatertight<NoFallback>>(&mut groups);
+    kernel::<WoopWatertight<ExactSign>>(&mut groups);
+    kernel::<EmbreePlucker>(&mut groups);
+    kernel::<BaldwinWeber<FromPositions>>(&mut groups);
+    kernel::<BaldwinWeber<FromRows>>(&mut groups);
+    kernel::<WoopAffine>(&mut groups);
+    // An exact number is as wide as it gets, so this one widens to itself.
+    kernel::<MollerTrumboreInF64>(&mut groups);
     groups
 }
 
@@ -118,7 +129,7 @@ where
 
 fn run<K: Kernel, P: Policy>(ray: &Ray<Exact>, corners: &Corners<Exact>) -> Answer {
     let met = K::meet::<P, Exact>((), &K::prepare(corners));
-    match K::test::<P, Exact>(ray, &met) {
+    match K::test::<P, Exact>(ray, &K::aim::<P, Exact>(ray), &met) {
         Ok(found) if found.hit => Some([found.t, found.u, found.v]),
         _ => None,
     }
