@@ -38,6 +38,6 @@ mod tests;
 
 pub use class::Class;
 pub use condition::{Condition, condition, excusable, output_error_limit};
-pub use exact::{Exact, classify, solve};
+pub use exact::{Exact, Stage, classify, solve, stage};
 pub use nearest::nearest;
 pub use query::Query;

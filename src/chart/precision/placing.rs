@@ -78,6 +78,16 @@ impl Taken {
         self.taken.push(rectangle);
     }
 
+    /// Keeps labels off a level or upright line.
+    pub fn keep_off_line(&mut self, from: Place, to: Place) {
+        self.keep_off(Rectangle {
+            left: from.0.min(to.0) - 1.5,
+            right: from.0.max(to.0) + 1.5,
+            top: from.1.min(to.1) - 1.5,
+            bottom: from.1.max(to.1) + 1.5,
+        });
+    }
+
     /// Middle of the nearest free place for a label, and its distance from the point; that place is
     /// taken then. `None` if there is none near enough.
     pub fn place(
