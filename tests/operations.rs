@@ -86,8 +86,6 @@ fn an_exit_tells_the_path() {
             "moller1" | "moller2" | "moller3" => &[0, 2, 4],
             "badouel" => &[0, 4],
             "chirkov-line" => &[1],
-            // The fallback, where an edge function is exactly 0.
-            "woop-watertight" if counter.edges == "fallback" => &[0, 1, 2],
             _ => &[],
         };
         for path in paths {
@@ -140,6 +138,21 @@ const HEADERS: &[(&str, &str, &str, &str, [u64; 5])] = &[
     ("half-spaces", "vertices", "last", "tuv", [12, 27, 0, 43, 2]),
     ("signed-areas", "normal", "first", "tuv", [15, 30, 0, 41, 2]),
     ("angle-sum", "vertices", "first", "t", [28, 22, 8, 47, 4]),
+    ("woop-watertight", "fallback", "first", "tuv", [4, 18, 0, 21, 4]),
+    ("woop-watertight", "fallback", "last", "tuv", [4, 18, 0, 22, 4]),
+    ("woop-watertight", "no-fallback", "first", "tuv", [4, 18, 0, 21, 4]),
+    ("woop-watertight", "no-fallback", "last", "tuv", [4, 18, 0, 22, 4]),
+    ("woop-watertight", "exact-sign", "first", "tuv", [4, 63, 0, 51, 4]),
+    ("woop-watertight", "exact-sign", "last", "tuv", [4, 63, 0, 52, 4]),
+    ("embree-plucker", "vertices", "first", "tuv", [21, 33, 1, 48, 2]),
+    ("baldwin-weber", "precomputed", "first", "tuv", [15, 0, 1, 15, 1]),
+    ("baldwin-weber", "precomputed", "last", "tuv", [15, 0, 1, 24, 1]),
+    ("baldwin-weber", "row-offsets", "first", "tuv", [15, 0, 1, 15, 1]),
+    ("baldwin-weber", "row-offsets", "last", "tuv", [15, 0, 1, 24, 1]),
+    ("woop-affine", "precomputed", "first", "tuv", [18, 0, 1, 20, 1]),
+    ("woop-affine", "precomputed", "last", "tuv", [18, 0, 1, 26, 1]),
+    ("moller-trumbore-in-f64", "vertices", "first", "tuv", [9, 15, 0, 27, 1]),
+    ("moller-trumbore-in-f64", "vertices", "last", "tuv", [9, 15, 0, 28, 1]),
 ];
 
 #[test]
