@@ -114,7 +114,35 @@ expect 0 "a baseline is held against" "$program" run twice.toml --out second --b
     --threshold 1000%
 has "threshold 1000 %" out
 
-for pipe in "list variants" "reproduce --dry-run" "all 100 10"; do
+# 3000 cases: hits, edges, misses and one that is no number, in turn.
+awk 'BEGIN {
+    print "id,ox,oy,oz,dx,dy,dz,ax,ay,az,bx,by,bz,cx,cy,cz"
+    split("1,1 2,0 3,3 nan,1", place, " ")
+    for (i = 0; i < 3000; i++)
+        printf "case-%d,%s,2,0,0,-1,0,0,0,4,0,0,0,4,0\n", i, place[i % 4 + 1]
+}' >cases.csv
+expect 0 "check" "$program" check cases.csv --kernels moller-trumbore --precision f32 --format csv
+for word in interior edge outside not-finite; do
+    [ "$(grep -c ",$word," out)" -eq 750 ] || fail "750 cases that are $word"
+done
+[ "$(grep -c ',agree,' out)" -eq 2250 ] || fail "a wrong answer where all numbers are whole"
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+    { print $1 "," $column["hit"] "," $column["t"] "," $column["u"] "," $column["v"] }' out >answers.csv
+expect 0 "check of answers" "$program" check cases.csv --answers answers.csv --format csv
+[ "$(grep -c ',answers,f64,.*,agree,' out)" -eq 2250 ] || fail "answers that agree"
+sed '2000d' answers.csv >few.csv
+expect 2 "an answer too few" "$program" check cases.csv --answers few.csv
+has "'case-1998'" err
+sed '1001s/,2,/,two,/' cases.csv >word.csv
+expect 2 "a case with a word" "$program" check word.csv --kernels wald --precision f64 --format json
+has "line 1001, column 4 (oz): 'two'" err
+[ "$(grep -c '"id"' out)" -eq 999 ] || fail "rows before the bad line"
+tail -n 1 out | grep -qx ']' || fail "an array that is not closed"
+expect 2 "no cases" "$program" check /dev/null
+expect 0 "check from stdin, all kernels" "$program" check - --format csv <cases.csv
+grep -qiE ',-?(nan|inf),' out && fail "a number that is none in the rows of check"
+
+for pipe in "check cases.csv" "list variants" "reproduce --dry-run" "all 100 10"; do
     # shellcheck disable=SC2086 # words of a command line
     "$program" $pipe 2>err | head -n 1 >out || fail "a closed pipe: $pipe"
     grep -q panicked err && fail "a panic on a closed pipe: $pipe"

@@ -112,8 +112,8 @@ pub trait Job {
     fn shared_records(&self) -> usize {
         0
     }
-    /// Lays the shared records out in a new order, as [`Job::permute`] does the items. Sums do not
-    /// depend on it; which of them is hit is told in the original order.
+    /// Lays the shared records out in a new order, as [`Job::permute`] does the items. Tallies do
+    /// not depend on it, and answers are told in the original order.
     fn permute_shared(&mut self, _permutation: &[u32]) {}
     /// The answers in the original order, computed by the very function that `run` times.
     fn answers(&mut self) -> Vec<Answer>;

@@ -85,6 +85,8 @@ pub mod oracle;
 
 pub mod accuracy;
 
+pub mod check;
+
 pub mod stats;
 
 pub mod measure;
@@ -100,6 +102,9 @@ pub mod compare;
 
 #[cfg(feature = "cli")]
 pub mod experiment;
+
+#[cfg(feature = "cli")]
+pub mod stability;
 
 #[cfg(feature = "cli")]
 pub mod doctor;

@@ -100,7 +100,7 @@ fn a_wrong_kernel_is_never_timed() {
 fn packets_find_what_single_rays_find() {
     let text = "id = 'test'\ntitle = 'A test'\nquestion = 'Does it run?'\nwhy = 'It must.'\n\
         variants = ['^wald/f32/(single|packet4)/sse2/(early|full)/last/plain/(hit|tuv|surface)$']\n\
-        [workload]\nkind = 'nearest'\ntriangles = 20\nfixed_triangles = 20\nrays = 16\nreshuffled_rays = 32\n\
+        [workload]\nkind = 'nearest'\ntriangles = 20\nrays = 16\nreshuffled_rays = 32\n\
         orders = ['fixed', 'reshuffled']\n";
     let outcome = rows(text, false);
     assert_eq!(outcome.rows.len(), 2 * (2 * 3 + 2));

@@ -3,7 +3,9 @@
 
 use std::collections::BTreeSet;
 
+use ray_test::job::Block;
 use ray_test::registry::{REFERENCE, Variant, find, kernels, placebos, variants};
+use ray_test::workload::{Kind, NearestSet, NearestSpec};
 
 /// Growth is a decision: 2 000 with the stiff cases, 2 400 with groups and layouts.
 const BUDGET: usize = 2_000;
@@ -86,5 +88,23 @@ fn there_are_several_placebos_of_the_reference() {
         let copies = placebos().iter().filter(|copy| copy.is_copy_of(reference)).count();
         assert_eq!(copies, 3, "{}", reference.id());
         assert!(!reference.is_copy_of(reference));
+    }
+}
+
+#[test]
+fn triangles_in_another_order_give_the_same_tallies_and_answers() {
+    let spec = NearestSpec { triangles: 40, rays: 32, kind: Kind::Random, seed: 3 };
+    let set = NearestSet::draw(spec).expect("a plain specification");
+    let backwards: Vec<u32> = (0..40).rev().collect();
+    for id in [REFERENCE, "wald/f64/packet2/sse2/full/first/plain/tuv"] {
+        let variant = find(id).filter(|variant| (variant.available)());
+        let Some(bind) = variant.and_then(|variant| variant.nearest.as_ref()) else { continue };
+        let mut job = bind(&set.rays, &set.triangles);
+        assert_eq!(job.shared_records(), 40);
+        let (answers, tally) = (job.answers(), job.run(Block::whole(job.as_ref())));
+        assert!(tally.hits > 0 && answers.iter().any(|answer| answer.triangle > Some(20)));
+        job.permute_shared(&backwards);
+        assert_eq!(job.run(Block::whole(job.as_ref())), tally, "{id}");
+        assert_eq!(job.answers(), answers, "{id}");
     }
 }

@@ -1,10 +1,22 @@
 //! Answers against the exact ones: what is wrong, what rounding excuses, how large errors are.
 
+mod case;
+mod deviation;
+mod format;
 mod judge;
+mod measures;
+#[cfg(test)]
+mod measures_tests;
+mod quantiles;
+mod samples;
+mod summary;
 mod surface;
 #[cfg(test)]
 mod tests;
 mod truth;
 
 pub use judge::{Judgement, Reported, judge, judge_nearest};
+pub use measures::Measures;
+pub use quantiles::Quantiles;
+pub use summary::Accuracy;
 pub use truth::{NearestTruth, Truth};

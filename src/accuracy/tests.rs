@@ -30,9 +30,16 @@ fn first(truths: &[Truth], hit: bool) -> usize {
 fn exact_answers_are_right() {
     let truths = truths();
     let judgement = judge(&exact_answers(&truths), &truths, F32);
-    assert_eq!((judgement.false_hits, judgement.false_misses, judgement.non_finite), (0, 0, 0));
+    assert_eq!(
+        (
+            judgement.accuracy.false_hits,
+            judgement.accuracy.false_misses,
+            judgement.accuracy.non_finite
+        ),
+        (0, 0, 0)
+    );
     assert_eq!(judgement.wrong, None);
-    assert!(judgement.t_mean_relative.is_some_and(|mean| mean < 1e-15));
+    assert!(judgement.accuracy.t_mean_relative.is_some_and(|mean| mean < 1e-15));
 }
 
 #[test]
@@ -43,7 +50,7 @@ fn a_decision_that_rounding_cannot_explain_is_wrong() {
         let mut answers = exact_answers(&truths);
         answers[place].triangle = (!hit).then_some(place);
         let judgement = judge(&answers, &truths, F32);
-        let counts = (judgement.false_hits, judgement.false_misses);
+        let counts = (judgement.accuracy.false_hits, judgement.accuracy.false_misses);
         assert_eq!(counts, if hit { (0, 1) } else { (1, 0) });
         let reason = judgement.wrong.expect("pairs are clear of their boundaries");
         assert!(reason.contains(&format!("item {place}:")), "{reason}");
@@ -74,7 +81,7 @@ fn an_output_that_is_no_number_is_wrong() {
         let mut answers = exact_answers(&truths);
         answers[place].t = bad;
         let judgement = judge(&answers, &truths, F32);
-        assert_eq!(judgement.non_finite, 1);
+        assert_eq!(judgement.accuracy.non_finite, 1);
         assert!(judgement.wrong.is_some());
     }
 }
@@ -111,7 +118,7 @@ fn culling_wants_only_front_faces() {
     let backs = truths.iter().filter(|t| t.exact.class.is_hit() && !t.front).count() as u64;
     assert!(backs >= 20, "{backs} of 100 hits see the back");
     let judgement = judge(&exact_answers(&truths), &truths, culls);
-    assert_eq!(judgement.false_hits, backs);
+    assert_eq!(judgement.accuracy.false_hits, backs);
     assert!(judgement.wrong.is_some());
 }
 
@@ -132,6 +139,6 @@ fn nearest_hits_are_told_apart_by_their_triangle() {
     let place = answers.iter().position(|a| a.triangle.is_some()).expect("some ray hits");
     answers[place].triangle = answers[place].triangle.map(|index| (index + 1) % 64);
     let judgement = judge_nearest(&answers, &truth.any, scene, F32);
-    assert_eq!(judgement.false_hits, 1);
+    assert_eq!(judgement.accuracy.false_hits, 1);
     assert!(judgement.wrong.is_some_and(|reason| reason.contains(&format!("ray {place}:"))));
 }

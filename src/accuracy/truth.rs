@@ -2,6 +2,7 @@
 
 use crate::oracle::{Condition, Exact, Query, condition, nearest, solve};
 use crate::workload::{Ray, Triangle};
+use glam::DVec3;
 
 /// The exact answer of one pair, with what rounding may do to it.
 #[derive(Clone, Debug)]
@@ -15,7 +16,8 @@ pub struct Truth {
     /// What t is divided by to be in units of the query's direction: 1, or the length of a segment
     /// whose kernel counts t in units of a direction of length 1.
     pub t_scale: f64,
-    /// Whether the ray sees the front: a, b, c counter-clockwise.
+    /// Whether the ray sees the front: a, b, c counter-clockwise. Told in f64, which matters to forms
+    /// that cull alone.
     pub front: bool,
 }
 
@@ -46,10 +48,17 @@ impl Truth {
         Self::solved(query, 1.0, ray, triangle)
     }
 
-    fn solved(query: Query, t_scale: f64, ray: &Ray, triangle: &Triangle) -> Self {
+    /// Of any query, in f64 as well. Kernels count t in units of its direction, which for a segment
+    /// is the (rounded) way from origin to end.
+    pub fn of_query(query: Query) -> Self {
+        let [a, b, c] = query.triangle.map(DVec3::from_array);
+        let front = faces(a, b, c, DVec3::from_array(query.direction));
         let exact = solve(&query);
-        let condition = condition(&query, &exact);
-        Truth { condition, exact, query, t_scale, front: sees_front(ray, triangle) }
+        Truth { condition: condition(&query, &exact), exact, query, t_scale: 1.0, front }
+    }
+
+    fn solved(query: Query, t_scale: f64, ray: &Ray, triangle: &Triangle) -> Self {
+        Truth { t_scale, front: sees_front(ray, triangle), ..Truth::of_query(query) }
     }
 }
 
@@ -57,7 +66,11 @@ impl Truth {
 /// inputs unless the ray is parallel within 2^-50, where nothing is hit beyond doubt.
 fn sees_front(ray: &Ray, triangle: &Triangle) -> bool {
     let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|v| v.as_dvec3());
-    (b - a).cross(c - a).dot(ray.direction.as_dvec3()) < 0.0
+    faces(a, b, c, ray.direction.as_dvec3())
+}
+
+fn faces(a: DVec3, b: DVec3, c: DVec3, direction: DVec3) -> bool {
+    (b - a).cross(c - a).dot(direction) < 0.0
 }
 
 /// The nearest triangles of every ray of a set.

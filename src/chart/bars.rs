@@ -64,6 +64,10 @@ pub(super) fn draw(
     if figure.scale == Scale::Log {
         y_title.push_str(" (log scale)");
     }
+    if figure.bound.is_some() {
+        theirs.extend(selection.bounds(figure)?);
+        ours.retain(|point| point.y > 0.0);
+    }
     let before = ours.len() + theirs.len();
     ours.retain(|point| figure.scale == Scale::Linear || point.y > 0.0);
     theirs.retain(|point| figure.scale == Scale::Linear || point.y > 0.0);
@@ -71,7 +75,10 @@ pub(super) fn draw(
     let plan = plan(figure, panels, ours, theirs)?;
     let mut notes = vec![selection.source(), published_note(figure), selection.without(&figure.y)];
     if plan.ours.iter().any(|point| point.interval.is_some()) {
-        notes.push("whiskers: intervals".to_owned());
+        notes.push(figure.intervals("whiskers"));
+    }
+    if figure.bound.is_some() {
+        notes.push("hollow: none seen; the rate is below with a probability of 95 %".to_owned());
     }
     if hidden > 0 {
         notes.push(format!("values without a place on the axis, not drawn: {hidden}"));
@@ -85,7 +92,7 @@ fn plan(
     ours: Vec<Point>,
     published: Vec<Point>,
 ) -> Result<Plan, ChartError> {
-    if ours.is_empty() {
+    if ours.is_empty() && (figure.bound.is_none() || published.is_empty()) {
         return Err(ChartError::Nothing("no value is above zero".to_owned()));
     }
     let all: Vec<Point> = ours.iter().chain(&published).cloned().collect();
@@ -172,7 +179,7 @@ fn drawn(
             if index == 0 {
                 names(&mut frame, figure, plan, group, &widths, y);
             }
-            bars(&mut frame, plan, panel, group, (widths.panel(index), widths.plot), y);
+            bars(&mut frame, figure, plan, panel, group, (widths.panel(index), widths.plot), y);
             y += group.height() + GROUP_GAP;
         }
     }
@@ -232,6 +239,7 @@ fn bar_middle(group: &Group, y: f64, bar: usize) -> f64 {
 
 fn bars(
     frame: &mut Frame,
+    figure: &Figure,
     plan: &Plan,
     panel: &str,
     group: &Group,
@@ -268,6 +276,8 @@ fn bars(
             frame.canvas.hollow(shape, (at(point.y), middle), 4.5, colour);
         }
         let words = ours.or(published).map_or("–".to_owned(), |point| text::figure(point.y));
+        let is_bound = ours.is_none() && published.is_some() && figure.bound.is_some();
+        let words = if is_bound { format!("< {words}") } else { words };
         let ink = if ours.is_some() { INK } else { GREY };
         frame.canvas.value((end + 7.0, middle), &words, Type::new(VALUE_SIZE, ink));
     }

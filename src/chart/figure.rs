@@ -1,7 +1,9 @@
 //! The `[[figure]]` table of an experiment: what is drawn from its rows.
 
+use super::envelope::Envelope;
+use super::wanted::{Wanted, admits};
 use super::{ChartError, Published};
-use crate::table::{COLUMNS, Cell, Row};
+use crate::table::{COLUMNS, Row};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -17,6 +19,11 @@ pub enum Kind {
     Shares,
     /// Operation counts of each series as a table, with the published ones beside them.
     Counts,
+    /// Time over error, both logarithmic: which form to take for an error, or a time, that one can
+    /// afford. One point per series and `precision`, those of a series joined.
+    Precision,
+    /// A field per `series` and `x`, coloured by `y` from 0 (dark) to 1 (light), `shown` in it.
+    Heat,
 }
 
 /// How values are placed on the axis.
@@ -56,28 +63,6 @@ impl Names {
     }
 }
 
-/// A value that a filter lets through.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-#[serde(untagged)]
-pub enum Wanted {
-    /// Any of these.
-    Any(Vec<Wanted>),
-    /// This number.
-    Number(f64),
-    /// This word; `""` is an empty cell.
-    Word(String),
-}
-
-impl Wanted {
-    fn admits(&self, cell: Cell<'_>) -> bool {
-        match self {
-            Wanted::Any(values) => values.iter().any(|value| value.admits(cell)),
-            Wanted::Number(number) => cell.number() == Some(*number),
-            Wanted::Word(word) => cell.to_string() == *word,
-        }
-    }
-}
-
 /// Published figures to draw hollow beside ours.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -100,7 +85,7 @@ pub struct Beside {
 pub struct Figure {
     /// File name without its ending: `b-4.1`.
     pub file: String,
-    /// `lines`, `bars`, `shares` or `counts`.
+    /// `lines`, `bars`, `shares`, `counts` or `heat`.
     pub kind: Kind,
     /// The title: the question that the figure answers.
     pub question: String,
@@ -114,8 +99,8 @@ pub struct Figure {
     /// Column of the figure drawn, numeric. Not used by `counts`.
     #[serde(default)]
     pub y: String,
-    /// `bars` only: further figures beside `y`, in its unit; then a bar is named by its column, and
-    /// `series` must not be given.
+    /// Further figures beside `y`, in its unit. `bars`: a bar is named by its column, and `series`
+    /// must not be given. `lines`: a panel each, named by its column.
     #[serde(default)]
     pub also: Vec<String>,
     /// `shares` only: column of the lower chart; without it there is no lower chart.
@@ -148,6 +133,25 @@ pub struct Figure {
     pub normalise_to: Option<String>,
     /// A value of y at which a line is drawn across, for instance 1 for ratios.
     pub reference: Option<f64>,
+    /// Column over whose values rows are put together, for instance `seed`, for `lines` and `bars`:
+    /// one point for all of them, at the median, with the smallest and the largest as its interval.
+    pub over: Option<String>,
+    /// `precision` only: column of a lower quantile of the error than `x`, for its whisker.
+    pub x_low: Option<String>,
+    /// `precision` only: column of a higher quantile of it.
+    pub x_high: Option<String>,
+    /// `precision` only: errors are taken from the rows that this filter lets through, joined to
+    /// those of the times by their id. Without it, both are of the same row.
+    #[serde(default)]
+    pub errors_from: BTreeMap<String, Wanted>,
+    /// `lines` only: what may be expected of every series.
+    pub envelope: Option<Envelope>,
+    /// `bars` on a log axis only: column of the bound that stands, hollow, where `y` is 0.
+    pub bound: Option<String>,
+    /// `heat` only: column of the number in each field; a dash where it is empty.
+    pub shown: Option<String>,
+    /// `heat` only: the series that stands first, apart from the others.
+    pub apart: Option<String>,
     /// Value as stored to the words shown for it, for series, panels and categories.
     #[serde(default)]
     pub labels: BTreeMap<String, String>,
@@ -176,6 +180,9 @@ impl Figure {
         if let Some(column) = &self.panels {
             self.column("panels", column)?;
         }
+        if let Some(column) = &self.over {
+            self.column("over", column)?;
+        }
         if let Some(beside) = &self.published {
             let tables = published.tables();
             if !tables.contains(&beside.table.as_str()) {
@@ -188,18 +195,26 @@ impl Figure {
 
     /// Refuses a key that the kind of chart does not look at: it would be silently without effect.
     fn validate_use(&self) -> Result<(), ChartError> {
-        use Kind::{Bars, Lines, Shares};
-        let uses: [(&'static str, bool, &[Kind]); 10] = [
-            ("also", !self.also.is_empty(), &[Bars]),
-            ("x", !self.x.list().is_empty(), &[Lines, Bars, Shares]),
-            ("y", !self.y.is_empty(), &[Lines, Bars, Shares]),
+        use Kind::{Bars, Heat, Lines, Precision, Shares};
+        let uses: [(&'static str, bool, &[Kind]); 18] = [
+            ("envelope", self.envelope.is_some(), &[Lines]),
+            ("bound", self.bound.is_some(), &[Bars]),
+            ("shown", self.shown.is_some(), &[Heat]),
+            ("apart", self.apart.is_some(), &[Heat]),
+            ("also", !self.also.is_empty(), &[Bars, Lines]),
+            ("x", !self.x.list().is_empty(), &[Lines, Bars, Shares, Precision, Heat]),
+            ("y", !self.y.is_empty(), &[Lines, Bars, Shares, Precision, Heat]),
             ("y_below", self.y_below.is_some(), &[Shares]),
             ("y_below_title", self.y_below_title.is_some(), &[Shares]),
-            ("panels", self.panels.is_some(), &[Lines, Bars]),
+            ("panels", self.panels.is_some(), &[Lines, Bars, Precision]),
+            ("over", self.over.is_some(), &[Lines, Bars]),
             ("scale", self.scale == Scale::Log, &[Lines, Bars]),
             ("x_scale", self.x_scale == Scale::Log, &[Lines]),
             ("normalise_to", self.normalise_to.is_some(), &[Lines, Bars, Shares]),
             ("reference", self.reference.is_some(), &[Lines, Bars]),
+            ("x_low", self.x_low.is_some(), &[Precision]),
+            ("x_high", self.x_high.is_some(), &[Precision]),
+            ("errors_from", !self.errors_from.is_empty(), &[Precision]),
         ];
         let unused = uses.iter().find(|(_, set, kinds)| *set && !kinds.contains(&self.kind));
         unused.map_or(Ok(()), |(key, _, kinds)| {
@@ -211,16 +226,26 @@ impl Figure {
     fn validate_axes(&self) -> Result<(), ChartError> {
         self.numeric_column("y", &self.y)?;
         self.also.iter().try_for_each(|column| self.numeric_column("also", column))?;
+        for column in self.bound.iter().chain(&self.shown) {
+            self.numeric_column("bound, shown", column)?;
+        }
+        if let Some(envelope) = &self.envelope {
+            envelope
+                .columns
+                .iter()
+                .try_for_each(|column| self.numeric_column("envelope", column))?;
+        }
         if let Some(column) = &self.y_below {
             self.numeric_column("y_below", column)?;
         }
-        if self.kind == Kind::Lines {
+        for column in self.x_low.iter().chain(&self.x_high) {
+            self.numeric_column("x_low, x_high", column)?;
+        }
+        self.errors_from.keys().try_for_each(|column| self.column("errors_from", column))?;
+        if matches!(self.kind, Kind::Lines | Kind::Precision) {
             let [column] = self.x.list() else {
-                return Err(self.wrong(
-                    "x",
-                    &self.x.list().join(", "),
-                    "one numeric column for lines",
-                ));
+                let allowed = "one numeric column for lines and precision";
+                return Err(self.wrong("x", &self.x.list().join(", "), allowed));
             };
             return self.numeric_column("x", column);
         }
@@ -255,9 +280,20 @@ impl Figure {
 
     /// Whether the filter lets a row through.
     pub fn admits(&self, row: &Row) -> bool {
-        self.filter
-            .iter()
-            .all(|(column, wanted)| row.cell(column).is_some_and(|cell| wanted.admits(cell)))
+        admits(&self.filter, row)
+    }
+
+    /// Whether errors may be taken from a row.
+    pub fn admits_errors(&self, row: &Row) -> bool {
+        admits(&self.errors_from, row)
+    }
+
+    /// What the footer says of marks that show intervals.
+    pub fn intervals(&self, marks: &str) -> String {
+        match &self.over {
+            None => format!("{marks}: intervals"),
+            Some(over) => format!("{marks}: smallest to largest over {}s", over.replace('_', " ")),
+        }
     }
 
     /// The words shown for a stored value.

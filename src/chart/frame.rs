@@ -121,7 +121,11 @@ pub(super) fn title(column: &str) -> String {
 
 /// The words over a small multiple: which value of which column it is about.
 pub(super) fn heading(figure: &Figure, panel: &str, width: f64) -> Vec<String> {
-    let Some(column) = &figure.panels else { return Vec::new() };
-    let words = format!("{}: {}", column.replace('_', " "), figure.label(panel));
+    let words = match &figure.panels {
+        Some(column) => format!("{}: {}", column.replace('_', " "), figure.label(panel)),
+        // A panel a column.
+        None if !figure.also.is_empty() => figure.label(panel),
+        None => return Vec::new(),
+    };
     text::wrap(&words, 13.0, true, width)
 }

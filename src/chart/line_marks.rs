@@ -5,8 +5,9 @@ use super::canvas::Type;
 use super::figure::Figure;
 use super::frame::{Frame, SMALL};
 use super::labels;
-use super::palette::{INK, LEADER, style};
+use super::palette::{GREY, INK, LEADER, style};
 use super::select::Point;
+use std::collections::BTreeMap;
 
 /// Distance of two labels.
 pub(super) const LABEL_GAP: f64 = 16.0;
@@ -18,6 +19,10 @@ pub(super) const LABEL_INDENT: f64 = LEADER_LENGTH + 10.0;
 pub(super) struct Plan {
     pub ours: Vec<Point>,
     pub published: Vec<Point>,
+    /// What may be expected of every series, see [`super::envelope`].
+    pub envelope: Vec<Point>,
+    /// Per panel the series that are drawn together.
+    pub crowds: BTreeMap<String, Vec<String>>,
     pub panels: Vec<String>,
     pub series: Vec<String>,
     pub x: Axis,
@@ -51,7 +56,11 @@ pub(super) fn series_drawn(
     let places = |points: &[Point]| -> Vec<(f64, f64)> {
         points.iter().filter_map(|point| Some(area.at(plan, point.x_number()?, point.y))).collect()
     };
-    let each = || plan.series.iter().enumerate();
+    let crowd = plan.crowds.get(panel).map_or(&[][..], Vec::as_slice);
+    for name in crowd {
+        frame.canvas.line(&places(&of(&plan.ours, name)), LEADER, 1.2);
+    }
+    let each = || plan.series.iter().enumerate().filter(|(_, name)| !crowd.contains(name));
     for (index, name) in each() {
         band(frame, plan, area, &of(&plan.ours, name), index);
     }
@@ -74,6 +83,10 @@ pub(super) fn series_drawn(
         if let Some(end) = ours.last().or(theirs.last()) {
             ends.push((index, *end, ours.is_empty()));
         }
+    }
+    // The crowd has one label, where its last line ends; its number is beyond every series'.
+    if let Some(end) = crowd.last().and_then(|name| places(&of(&plan.ours, name)).last().copied()) {
+        ends.push((plan.series.len(), end, false));
     }
     end_labels(frame, figure, plan, panel, area, &ends);
 }
@@ -120,12 +133,18 @@ fn end_labels(
         let (colour, shape) = style(*index);
         let at = (area.right + LEADER_LENGTH, height);
         frame.canvas.line(&[(end.0 + 6.0, end.1), (at.0 - 6.0, height)], LEADER, 0.8);
+        let Some(name) = plan.series.get(*index) else {
+            let crowd = plan.crowds.get(panel).map_or(0, Vec::len);
+            let words = format!("{crowd} others, grey");
+            frame.canvas.text((area.right + LABEL_INDENT, height), &words, Type::new(SMALL, GREY));
+            continue;
+        };
         if *hollow {
             frame.canvas.hollow(shape, at, 3.4, colour);
         } else {
             frame.canvas.marker(shape, at, 3.4, colour);
         }
-        let words = label(figure, plan, panel, &plan.series[*index]);
+        let words = label(figure, plan, panel, name);
         frame.canvas.text((area.right + LABEL_INDENT, height), &words, Type::new(SMALL, INK));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::axis::Axis;
 use super::canvas::{Anchor, Type};
+use super::envelope;
 use super::figure::{Figure, Scale};
 use super::frame::{Frame, MARGIN, SMALL, heading, published_note, title};
 use super::line_marks::{Area, LABEL_GAP, LABEL_INDENT, Plan, label, series_drawn};
@@ -21,7 +22,7 @@ pub(super) fn draw(
     published: &Published,
 ) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
-    let mut ours = selection.points(figure, &figure.y)?;
+    let mut ours = selection.points_by_column(figure)?;
     let panels = select::distinct(&ours, |point| &point.panel);
     let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
@@ -33,7 +34,8 @@ pub(super) fn draw(
         let x = figure.x.list().join(" ").replace('_', " ");
         y_title = format!("{y_title}, relative to {} at {x} {first}", figure.label(base));
     }
-    let (plan, hidden) = plan(figure, panels, ours, theirs)?;
+    let envelope = envelope::points(figure, &selection.rows);
+    let (plan, hidden) = plan(figure, panels, (ours, theirs, envelope))?;
     y_title.push_str(match figure.scale {
         Scale::Log => " (log scale)",
         Scale::Linear if !plan.y.has_zero() => " (the axis does not start at 0)",
@@ -41,7 +43,13 @@ pub(super) fn draw(
     });
     let mut notes = vec![selection.source(), published_note(figure), selection.without(&figure.y)];
     if plan.ours.iter().any(|point| point.interval.is_some()) {
-        notes.push("bands: intervals".to_owned());
+        notes.push(figure.intervals("bands"));
+    }
+    if let Some(envelope) = &figure.envelope {
+        notes.push(format!("dashed, shaded below: {}", envelope.name));
+        if plan.ours.iter().any(|point| point.y > envelope.limit) {
+            notes.push(format!("values above {} stand at the upper edge", envelope.limit));
+        }
     }
     if hidden > 0 {
         notes.push(format!("values without a place on the axes, not drawn: {hidden}"));
@@ -52,8 +60,7 @@ pub(super) fn draw(
 fn plan(
     figure: &Figure,
     panels: Vec<String>,
-    mut ours: Vec<Point>,
-    mut published: Vec<Point>,
+    (mut ours, mut published, envelope): (Vec<Point>, Vec<Point>, Vec<Point>),
 ) -> Result<(Plan, usize), ChartError> {
     let before = ours.len() + published.len();
     let placed = |point: &Point| {
@@ -76,6 +83,10 @@ fn plan(
     } else {
         Axis::exact(&xs)
     };
+    ys.extend(envelope.iter().map(|point| point.y));
+    if let Some(settings) = &figure.envelope {
+        ys.iter_mut().for_each(|y| *y = y.min(settings.limit));
+    }
     let y = if figure.scale == Scale::Log {
         Axis::log(&ys).ok_or_else(none)?
     } else {
@@ -83,7 +94,8 @@ fn plan(
     };
     let named: Vec<Point> = all().cloned().collect();
     let series = select::distinct(&named, |point| &point.series);
-    Ok((Plan { ours, published, panels, series, x, y }, hidden))
+    let crowds = envelope::crowds(figure, &ours, &envelope);
+    Ok((Plan { ours, published, envelope, crowds, panels, series, x, y }, hidden))
 }
 
 fn panels_drawn(
@@ -145,6 +157,7 @@ fn panel_drawn(
     let top = room.top + 17.0 * heading.len() as f64 + 12.0;
     let area =
         Area { left: room.left, right: room.left + room.plot, top, bottom: top + room.height };
+    envelope::drawn(frame, plan, panel, &area);
     axes(frame, figure, plan, &area, labelled);
     series_drawn(frame, figure, plan, panel, &area);
     let x_title = figure.x_title.clone().unwrap_or_else(|| title(&figure.x.list().join(" ")));
@@ -153,7 +166,7 @@ fn panel_drawn(
         frame.canvas.text((area.left, under), &words, Type::new(SMALL, GREY));
         under += 16.0;
     }
-    under
+    envelope::crowd_named(frame, figure, plan, panel, (area.left, under, room.width))
 }
 
 fn axes(frame: &mut Frame, figure: &Figure, plan: &Plan, area: &Area, labelled: bool) {

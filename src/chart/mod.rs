@@ -7,22 +7,30 @@ mod axis;
 mod bars;
 mod canvas;
 mod counts;
+mod envelope;
 mod figure;
 mod frame;
+mod heat;
 mod labels;
 mod line_marks;
 mod lines;
 mod palette;
+mod precision;
 mod published;
 mod select;
 mod shares;
+mod stability;
 mod svg;
 #[cfg(test)]
 mod tests;
 mod text;
+mod wanted;
 
-pub use figure::{Beside, Figure, Kind, Names, Scale, Wanted};
+pub use envelope::Envelope;
+pub use figure::{Beside, Figure, Kind, Names, Scale};
 pub use published::{Measure, Published, PublishedPoint};
+pub use stability::stability_figures;
+pub use wanted::Wanted;
 
 use crate::table::Row;
 
@@ -73,6 +81,8 @@ pub fn draw(figure: &Figure, rows: &[Row], published: &Published) -> Result<Stri
         Kind::Bars => bars::draw(figure, rows, published),
         Kind::Shares => shares::draw(figure, rows, published),
         Kind::Counts => counts::draw(figure, rows, published),
+        Kind::Precision => precision::draw(figure, rows),
+        Kind::Heat => heat::draw(figure, rows),
     };
     match drawn {
         Err(ChartError::Nothing(reason)) => frame::placeholder(figure, &reason),

@@ -3,6 +3,7 @@
 use super::ChartError;
 use super::figure::{Figure, Names};
 use super::published::{Measure, Published};
+use crate::stats::median;
 use crate::table::{COLUMNS, Cell, Row};
 use std::collections::BTreeSet;
 
@@ -50,7 +51,7 @@ impl<'a> Selection<'a> {
 
     /// The points of a column. Rows without a value in it have no point.
     pub fn points(&self, figure: &Figure, column: &str) -> Result<Vec<Point>, ChartError> {
-        let mut points: Vec<(Point, &Row)> = Vec::new();
+        let mut points: Vec<(Point, Vec<&Row>)> = Vec::new();
         for row in &self.rows {
             let Some(y) = row.cell(column).and_then(Cell::number) else { continue };
             let panel = figure.panels.as_deref().and_then(|panel| row.cell(panel));
@@ -61,20 +62,30 @@ impl<'a> Selection<'a> {
                 y,
                 interval: interval(row, column, y),
             };
-            let same = |other: &&(Point, &Row)| {
+            let same = |other: &&mut (Point, Vec<&Row>)| {
                 (&other.0.panel, &other.0.series, &other.0.x)
                     == (&point.panel, &point.series, &point.x)
             };
-            if let Some((_, other)) = points.iter().find(same) {
-                return Err(ambiguous(figure, &point, other, row));
+            match points.iter_mut().find(same) {
+                None => points.push((point, vec![row])),
+                Some((_, others)) => {
+                    let over = figure.over.as_deref();
+                    let twin = others
+                        .iter()
+                        .find(|other| !over.is_some_and(|over| differ(other, row, over)));
+                    if let Some(twin) = twin {
+                        return Err(ambiguous(figure, &point, twin, row));
+                    }
+                    others.push(row);
+                }
             }
-            points.push((point, row));
         }
         if points.is_empty() {
             let reason = format!("no row (of {}) has a value of {column}", self.rows.len());
             return Err(ChartError::Nothing(reason));
         }
-        Ok(points.into_iter().map(|(point, _)| point).collect())
+        let together = |(point, rows): (Point, Vec<&Row>)| put_together(point, &rows, column);
+        Ok(points.into_iter().map(together).collect())
     }
 
     /// The points of `y` and of what stands beside it; with several, the series is the column.
@@ -88,6 +99,34 @@ impl<'a> Selection<'a> {
             points.extend(of_column.map(|point| Point { series: column.clone(), ..point }));
         }
         Ok(points)
+    }
+
+    /// The points of `y` and of what stands beside it, a panel a column; a column without values
+    /// has no panel, unless none has.
+    pub fn points_by_column(&self, figure: &Figure) -> Result<Vec<Point>, ChartError> {
+        if figure.also.is_empty() {
+            return self.points(figure, &figure.y);
+        }
+        let mut points = Vec::new();
+        let mut nothing = Ok(Vec::new());
+        for column in std::iter::once(&figure.y).chain(&figure.also) {
+            match self.points(figure, column) {
+                Ok(found) => points.extend(
+                    found.into_iter().map(|point| Point { panel: column.clone(), ..point }),
+                ),
+                Err(ChartError::Nothing(reason)) => nothing = Err(ChartError::Nothing(reason)),
+                Err(other) => return Err(other),
+            }
+        }
+        if points.is_empty() { nothing } else { Ok(points) }
+    }
+
+    /// The points of the bounds that stand where a value is 0.
+    pub fn bounds(&self, figure: &Figure) -> Result<Vec<Point>, ChartError> {
+        match figure.bound.as_ref().map(|bound| self.points(figure, bound)) {
+            None | Some(Err(ChartError::Nothing(_))) => Ok(Vec::new()),
+            Some(other) => other,
+        }
     }
 
     /// Where the figures come from: experiment, number of rows, rounds, pairs, seed.
@@ -147,7 +186,7 @@ pub(super) fn joined(row: &Row, columns: &Names) -> String {
 
 /// The interval of a figure. Rows store that of the time and of the ratio; figures that are
 /// proportional to the time, or to its inverse, have the same one relatively.
-fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
+pub(super) fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
     let (low, high) = match column {
         "ratio_to_reference" => (row.ratio_low?, row.ratio_high?),
         "price" => (row.price_low?, row.price_high?),
@@ -160,6 +199,23 @@ fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
         _ => return None,
     };
     (low.is_finite() && high.is_finite() && low <= high).then_some((low, high))
+}
+
+fn differ(one: &Row, other: &Row, column: &str) -> bool {
+    one.cell(column) != other.cell(column)
+}
+
+/// The point of several rows: their median, and the range from the smallest to the largest.
+fn put_together(point: Point, rows: &[&Row], column: &str) -> Point {
+    if rows.len() < 2 {
+        return point;
+    }
+    let mut values: Vec<f64> =
+        rows.iter().filter_map(|row| row.cell(column).and_then(Cell::number)).collect();
+    values.sort_by(f64::total_cmp);
+    let y = median(&values).unwrap_or(point.y);
+    let interval = values.first().copied().zip(values.last().copied());
+    Point { y, interval, ..point }
 }
 
 fn ambiguous(figure: &Figure, point: &Point, one: &Row, other: &Row) -> ChartError {

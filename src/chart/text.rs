@@ -69,3 +69,8 @@ pub(super) fn tick(value: f64, step: f64) -> String {
 fn trim(number: &str) -> String {
     number.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
+
+/// A figure that is mostly whole, as short as it goes.
+pub(super) fn figure_short(value: f64) -> String {
+    if value.fract() == 0.0 && value.abs() < 1e6 { format!("{value:.0}") } else { figure(value) }
+}

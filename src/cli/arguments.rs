@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 
 use super::baseline::Baselines;
+use super::check::{self, Check};
 use super::compare::Compare;
+use super::stability::{self, Stability};
 use crate::experiment::Profile;
 use crate::measure::{Order, Pin};
 use crate::workload::Generator;
@@ -84,7 +86,7 @@ pub enum Verb {
         after_help = "Examples:\n  ray_test doctor\n  ray_test doctor --self-test --format json"
     )]
     Doctor(Doctor),
-    /// Show kernels, variants, experiments, claims or levels
+    /// Show kernels, variants, experiments, claims, levels or families
     #[command(after_help = "Example:\n  ray_test list variants --format csv")]
     List(List),
     /// Hold two results against each other; exit 3 if something got worse
@@ -92,6 +94,12 @@ pub enum Verb {
         after_help = "Examples:\n  ray_test compare results/before results/after\n  ray_test compare a/b-4.2/rows.json b/b-4.2/rows.json --threshold 5% --format markdown"
     )]
     Compare(Compare),
+    /// Sweep stiff and extreme cases: where each kernel starts to fail, which rays it loses
+    #[command(after_help = stability::HELP)]
+    Stability(Stability),
+    /// Put cases of your own through every kernel, against the exact answer
+    #[command(after_help = check::HELP)]
+    Check(Check),
 }
 
 /// `ray_test run`
@@ -188,6 +196,8 @@ pub enum Listed {
     Claims,
     /// Instruction-set levels
     Levels,
+    /// Families of stiff and extreme cases
+    Families,
 }
 
 /// How results are printed.
@@ -289,7 +299,7 @@ fn slip(word: &str) -> Option<String> {
     if word.parse::<f64>().is_ok() || word == "all" {
         return None;
     }
-    let here = ["run", "reproduce", "doctor", "list", "compare", "help"];
+    let here = ["run", "reproduce", "doctor", "list", "compare", "stability", "check", "help"];
     let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
     if VERBS.contains(&word) && !here.contains(&word) {
         let known = known.join(", ");

@@ -9,7 +9,9 @@ use super::failure::Failure;
 use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
 use super::{interrupt, lock, progress, unfinished};
-use crate::experiment::{Experiment, Plan, Profile, Workload, pattern_of, run as run_plan};
+use crate::experiment::{
+    ErrorsWorkload, Experiment, PairsWorkload, Plan, Profile, Workload, pattern_of, run as run_plan,
+};
 use crate::measure::Environment;
 use crate::workload::hash::Fnv;
 
@@ -110,9 +112,18 @@ fn estimate(plan: &Plan, profile: Profile) -> Estimate {
     let checked = (plan.cells().len() * plan.variants.len()) as f64;
     let clock_free = match &plan.experiment.workload {
         Workload::Codes(codes) => 0.4e-6 * (codes.pairs * plan.variants.len()) as f64,
+        Workload::Errors(errors) => of_errors(plan, errors),
+        Workload::Pairs(PairsWorkload { errors: Some(errors), .. }) => {
+            of_errors(plan, errors) + 2e-3 * checked
+        }
         _ => 2e-3 * checked + 10e-3 * plan.cells().len() as f64,
     };
     Estimate { timing, clock_free, drawing: 5e-3 * plan.experiment.figure.len() as f64 }
+}
+
+/// Both references; exact answers take as long as some ten forms.
+fn of_errors(plan: &Plan, errors: &ErrorsWorkload) -> f64 {
+    1e-6 * (errors.seeds * errors.hits * (2 * plan.variants.len() + 10)) as f64
 }
 
 fn dry_run(plans: &[Plan], profile: Profile) -> Result<(), Failure> {

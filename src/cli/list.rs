@@ -20,6 +20,7 @@ pub fn run(arguments: &List) -> Result<(), Failure> {
         Listed::Experiments => list_experiments()?,
         Listed::Claims => list_claims(),
         Listed::Levels => list_levels(),
+        Listed::Families => list_families(),
     };
     print(&sheet, arguments.format)
 }
@@ -73,6 +74,14 @@ fn list_claims() -> Sheet {
     };
     let lines = CLAIMS.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
     Sheet { columns: vec!["id", "source", "statement"], rows: lines.map(row).collect() }
+}
+
+fn list_families() -> Sheet {
+    let row = |family: &crate::stability::Family| -> Vec<Value> {
+        vec![json!(family.id), json!(family.knob), json!(family.range()), json!(family.passes)]
+    };
+    let rows = crate::stability::families().iter().map(row).collect();
+    Sheet { columns: vec!["id", "knob", "range", "passes"], rows }
 }
 
 fn list_levels() -> Sheet {

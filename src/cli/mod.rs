@@ -1,8 +1,13 @@
 //! The command line: one file per verb.
 
+mod addresses;
 mod arguments;
 mod baseline;
 mod batch;
+mod check;
+mod check_forms;
+mod check_rows;
+mod check_summary;
 mod compare;
 mod comparison;
 mod doctor;
@@ -15,6 +20,8 @@ mod lock;
 mod progress;
 mod show;
 mod slices;
+mod stability;
+mod stability_tables;
 mod thesis;
 mod unfinished;
 
@@ -45,6 +52,11 @@ pub fn main() -> ExitCode {
 }
 
 fn run(arguments: Arguments) -> Result<(), Failure> {
+    let measures =
+        |verb: &Verb| matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_));
+    if arguments.verb.as_ref().is_none_or(measures) {
+        addresses::settle();
+    }
     match arguments.verb {
         None => thesis::run(&arguments.thesis),
         Some(Verb::Run(run)) => batch::run(&run),
@@ -52,5 +64,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Doctor(doctor)) => doctor::run(&doctor),
         Some(Verb::List(list)) => list::run(&list),
         Some(Verb::Compare(compare)) => compare::run(&compare),
+        Some(Verb::Stability(stability)) => stability::run(&stability),
+        Some(Verb::Check(check)) => check::run(&check),
     }
 }

@@ -97,3 +97,21 @@ pub fn text(sheet: &Sheet) -> String {
     }
     table.trim_fmt()
 }
+
+/// Lines of cells under each other, the first line a head whose cells may have several lines
+/// themselves; the first column stands left, the others right.
+pub fn aligned(lines: &[Vec<String>]) -> String {
+    let mut table = Table::new();
+    table.load_style(NOTHING);
+    let mut lines = lines.iter();
+    if let Some(head) = lines.next() {
+        table.set_header(head);
+    }
+    lines.for_each(|line| {
+        table.add_row(line);
+    });
+    for column in table.column_iter_mut().skip(1) {
+        column.set_cell_alignment(comfy_table::CellAlignment::Right);
+    }
+    table.trim_fmt()
+}

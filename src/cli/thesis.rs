@@ -147,6 +147,7 @@ fn scene(arguments: &Thesis, count: usize, density: f64) -> Result<Scene, Failur
         generator: arguments.generator.value(),
         orders: vec![arguments.order.value()],
         seconds_of_tests: None,
+        errors: None,
     };
     Scene::pairs(&workload, density, arguments.order.value(), arguments.seed)
         .map_err(|error| Failure::Usage(error.to_string()))

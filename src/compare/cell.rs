@@ -6,7 +6,7 @@ use super::side::Side;
 use crate::table::Row;
 
 /// Columns that say what was measured, besides the id.
-const NAMES: [&str; 16] = [
+const NAMES: [&str; 17] = [
     "experiment",
     "kernel",
     "precision",
@@ -23,6 +23,7 @@ const NAMES: [&str; 16] = [
     "leading",
     "code",
     "priced",
+    "err_against",
 ];
 
 /// Columns that say on what it was measured. One subject under other settings than before is not

@@ -4,16 +4,39 @@
 use super::finding::{Change, Judged};
 use crate::table::Row;
 
-/// Columns that should be small.
-const ERRORS: [&str; 8] = [
+/// Columns that should be small. Those that are made of others here (`err_tuv_mean_rel`) would only
+/// say a change twice.
+pub(super) const ERRORS: [&str; 30] = [
     "false_hits",
     "false_misses",
+    "deep_false_hits",
+    "deep_false_misses",
+    "inexcusable",
+    "worst_depth",
     "nan_outputs",
     "err_t_mean_rel",
+    "err_u_mean_rel",
+    "err_v_mean_rel",
+    "err_max_rel",
+    "t_bits_lost_mean",
+    "t_bits_lost_max",
+    "uv_bits_lost_mean",
+    "uv_bits_lost_max",
+    "err_t_p50_ulp",
+    "err_t_p99_ulp",
     "err_t_p999_ulp",
     "err_t_max_ulp",
+    "err_b_p50",
+    "err_b_p99",
+    "err_b_p999",
+    "err_b_max",
     "err_u_max_abs",
     "err_v_max_abs",
+    "backward_p50_u",
+    "backward_p99_u",
+    "backward_max_u",
+    "t_excess_max",
+    "b_excess_max",
 ];
 
 /// The changes of a cell.

@@ -5,7 +5,7 @@ use std::sync::atomic::Ordering;
 use super::bench::Bench;
 use super::calls;
 use super::limits::least_cycles;
-use super::rows::{blank, outputs_hash, put_group, put_interrupted, put_judgement};
+use super::rows::{blank, outputs_hash, put_accuracy, put_group, put_interrupted};
 use super::run::Trouble;
 use super::scene::Scene;
 use crate::measure::{Chain, Contestant, EmptyLoop, Figures, Order, PREDICTED_TESTS, Role, Status};
@@ -139,7 +139,8 @@ fn checked(variant: &'static Variant, scene: &Scene, row: &mut Row) -> Result<Co
     };
     let judgement = scene.judge(variant, job.as_mut());
     let hits = job.answers().iter().filter(|answer| answer.triangle.is_some()).count() as u64;
-    put_judgement(row, &judgement, hits);
+    put_accuracy(row, &judgement.accuracy);
+    row.hits = Some(hits);
     row.outputs_hash = outputs_hash(job.as_mut());
     let inexact = !variant.claims_exactness();
     row.status = if inexact { "inexact" } else { "ok" }.into();

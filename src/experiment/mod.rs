@@ -12,6 +12,7 @@ mod codes;
 mod config;
 mod counts;
 mod distraction;
+mod errors;
 mod keep;
 mod limits;
 mod plan;
@@ -21,6 +22,7 @@ mod rows;
 mod run;
 mod scene;
 mod select;
+mod spread;
 mod workload;
 
 pub use bench::Bench;
@@ -29,8 +31,11 @@ pub use config::{ConfigError, Experiment};
 pub use distraction::Distraction;
 pub use keep::{Keep, KeepError, KeepNothing};
 pub use plan::{Plan, Profile};
-pub use rows::{of_variant, put_percent_slower};
+pub use rows::{of_variant, put_accuracy, put_percent_slower};
 pub use run::{Outcome, RunError, Trouble, run};
 pub use scene::{Facts, Scene};
 pub use select::{pattern_of, select};
-pub use workload::{CodesWorkload, NearestWorkload, PairsWorkload, PointsWorkload, Workload};
+pub use spread::on_all_cores;
+pub use workload::{
+    CodesWorkload, ErrorsWorkload, NearestWorkload, PairsWorkload, PointsWorkload, Workload,
+};

@@ -84,7 +84,9 @@ impl Plan {
             Workload::Nearest(nearest) => {
                 nearest.orders.iter().map(|order| (None, *order)).collect()
             }
-            Workload::Codes(_) | Workload::Counts | Workload::Arithmetic => Vec::new(),
+            Workload::Codes(_) | Workload::Counts | Workload::Arithmetic | Workload::Errors(_) => {
+                Vec::new()
+            }
         }
     }
 
@@ -94,7 +96,8 @@ impl Plan {
     }
 
     /// Seconds that they take: 60 us inside each timed window, as much again for permutations,
-    /// warm-up passes and calibration. Reshuffled blocks are as much shorter as they are more.
+    /// warm-up passes and calibration. Reshuffled blocks are
+    /// about as much shorter as they are more.
     pub fn seconds(&self, profile: Profile) -> f64 {
         self.blocks_as(profile, |_| Order::Fixed) as f64 * 120e-6
     }

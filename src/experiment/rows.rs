@@ -1,7 +1,7 @@
 //! Rows from what was measured and judged.
 
 use super::scene::Scene;
-use crate::accuracy::Judgement;
+use crate::accuracy::Accuracy;
 use crate::job::{Block, Job};
 use crate::measure::{BuildInfo, Figures, GroupReport, Invalid, Order, Status};
 use crate::registry::Variant;
@@ -56,17 +56,45 @@ pub fn of_variant(variant: &Variant) -> Row {
     }
 }
 
-/// Puts in what the check against the exact answer found.
-pub fn put_judgement(row: &mut Row, judgement: &Judgement, hits: u64) {
-    row.hits = Some(hits);
-    row.false_hits = Some(judgement.false_hits);
-    row.false_misses = Some(judgement.false_misses);
-    row.nan_outputs = Some(judgement.non_finite);
-    row.err_t_mean_rel = judgement.t_mean_relative;
-    row.err_t_p999_ulp = judgement.t_p999_ulp;
-    row.err_t_max_ulp = judgement.t_max_ulp;
-    row.err_u_max_abs = judgement.u_max;
-    row.err_v_max_abs = judgement.v_max;
+/// Puts in what the comparison with the exact answers found.
+pub fn put_accuracy(row: &mut Row, accuracy: &Accuracy) {
+    row.false_hits = Some(accuracy.false_hits);
+    row.false_misses = Some(accuracy.false_misses);
+    row.deep_false_hits = Some(accuracy.deep_false_hits);
+    row.deep_false_misses = Some(accuracy.deep_false_misses);
+    row.inexcusable = Some(accuracy.inexcusable);
+    row.boundary_cases = Some(accuracy.boundary_cases);
+    row.worst_depth = accuracy.worst_depth;
+    row.nan_outputs = Some(accuracy.non_finite);
+    row.err_cases = Some(accuracy.compared);
+    put_errors(row, accuracy);
+}
+
+fn put_errors(row: &mut Row, accuracy: &Accuracy) {
+    row.err_t_mean_rel = accuracy.t_mean_relative;
+    row.err_u_mean_rel = accuracy.u_mean_relative;
+    row.err_v_mean_rel = accuracy.v_mean_relative;
+    row.err_tuv_mean_rel = accuracy.mean_relative;
+    row.err_max_rel = accuracy.max_relative;
+    row.t_bits_lost_mean = accuracy.t_bits_lost_mean;
+    row.t_bits_lost_max = accuracy.t_bits_lost_max;
+    row.uv_bits_lost_mean = accuracy.uv_bits_lost_mean;
+    row.uv_bits_lost_max = accuracy.uv_bits_lost_max;
+    row.err_t_p50_ulp = accuracy.t_ulp.p50;
+    row.err_t_p99_ulp = accuracy.t_ulp.p99;
+    row.err_t_p999_ulp = accuracy.t_ulp.p999;
+    row.err_t_max_ulp = accuracy.t_ulp.max;
+    row.err_u_max_abs = accuracy.u_max;
+    row.err_v_max_abs = accuracy.v_max;
+    row.err_b_p50 = accuracy.barycentric.p50;
+    row.err_b_p99 = accuracy.barycentric.p99;
+    row.err_b_p999 = accuracy.barycentric.p999;
+    row.err_b_max = accuracy.barycentric.max;
+    row.backward_p50_u = accuracy.backward.p50;
+    row.backward_p99_u = accuracy.backward.p99;
+    row.backward_max_u = accuracy.backward.max;
+    row.t_excess_max = accuracy.t_excess_max;
+    row.b_excess_max = accuracy.barycentric_excess_max;
 }
 
 /// Hash of what one pass over a job finds: equal bits, equal hash.

@@ -8,8 +8,8 @@ use super::keep::KeepError;
 use super::plan::Plan;
 use super::rows::put_percent_slower;
 use super::scene::Scene;
-use super::workload::Workload;
-use super::{arithmetic, codes, counts, points, prices};
+use super::workload::{PairsWorkload, Workload};
+use super::{arithmetic, codes, counts, errors, points, prices};
 use crate::measure::{Order, ProtocolError};
 use crate::table::Row;
 use crate::workload::WorkloadError;
@@ -70,6 +70,9 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
             outcome.take(codes::run(id, &plan.variants, codes, seed, bench)?);
         }
         Workload::Arithmetic => outcome.rows = arithmetic::run(id, seed, bench)?,
+        Workload::Errors(hits) => {
+            outcome.rows = errors::rows(id, &plan.variants, hits, seed, bench.cancel);
+        }
         _ => {
             for (number, (density, order)) in plan.cells().into_iter().enumerate() {
                 if bench.cancel.load(Ordering::Relaxed) {
@@ -84,6 +87,9 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
         }
     }
     finish(plan, &mut outcome.rows);
+    if let Workload::Pairs(PairsWorkload { errors: Some(hits), .. }) = &plan.experiment.workload {
+        outcome.rows.extend(errors::rows(id, &plan.variants, hits, seed, bench.cancel));
+    }
     outcome.interrupted = bench.cancel.load(Ordering::Relaxed);
     Ok(outcome)
 }
@@ -134,7 +140,7 @@ fn scene(plan: &Plan, density: Option<f64>, order: Order) -> Result<Scene, Workl
         Workload::Pairs(pairs) => Scene::pairs(pairs, density.unwrap_or(0.5), order, seed),
         Workload::Points(points) => points::scene(points, density.unwrap_or(0.5), order, seed),
         Workload::Nearest(nearest) => Scene::nearest(nearest, order, seed),
-        Workload::Codes(_) | Workload::Counts | Workload::Arithmetic => {
+        Workload::Codes(_) | Workload::Counts | Workload::Arithmetic | Workload::Errors(_) => {
             unreachable!("these have no cells")
         }
     }

@@ -104,9 +104,10 @@ impl Scene {
         order: Order,
         seed: u64,
     ) -> Result<Self, WorkloadError> {
-        let (rays, triangles) = match order {
-            Order::Reshuffled => (workload.reshuffled_rays, workload.triangles),
-            Order::Fixed | Order::Literal => (workload.rays, workload.fixed_triangles),
+        let triangles = workload.triangles;
+        let rays = match order {
+            Order::Reshuffled => workload.reshuffled_rays,
+            Order::Fixed | Order::Literal => workload.rays,
         };
         let kind = workload.coherence;
         let set = NearestSet::draw(NearestSpec { triangles, rays, kind, seed })?;

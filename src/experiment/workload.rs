@@ -21,6 +21,8 @@ pub enum Workload {
     Counts,
     /// Multiplications and additions alone, at every level.
     Arithmetic,
+    /// Errors of random hits over several seeds; no clock.
+    Errors(ErrorsWorkload),
 }
 
 /// Pairs at an exact hit density.
@@ -48,9 +50,12 @@ pub struct PairsWorkload {
     pub orders: Vec<Order>,
     /// Tests that the column `seconds` is scaled to (thesis B: 25 000 x 20 000).
     pub seconds_of_tests: Option<f64>,
+    /// Errors of the same variants on random hits, in rows of their own: pairs that can be timed in
+    /// one go are too few for the rarer errors.
+    pub errors: Option<ErrorsWorkload>,
 }
 
-/// Fifteen kernels in turn stay within what a branch predictor remembers.
+/// Cut into windows, fifteen kernels in turn stay within what a branch predictor remembers.
 fn fixed_pairs() -> usize {
     500
 }
@@ -64,12 +69,9 @@ fn reshuffled_pairs() -> usize {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NearestWorkload {
-    /// Number of triangles in `reshuffled` order.
+    /// Number of triangles, the same in both orders.
     #[serde(default = "triangles")]
     pub triangles: usize,
-    /// Number of triangles in `fixed` order.
-    #[serde(default = "fixed_triangles")]
-    pub fixed_triangles: usize,
     /// Rays in `fixed` order; a multiple of 16.
     #[serde(default = "fixed_rays")]
     pub rays: usize,
@@ -83,12 +85,10 @@ pub struct NearestWorkload {
     pub orders: Vec<Order>,
 }
 
+/// Few: the tests of 16 rays are as many as pairs, for a predictor to remember. And a block has many
+/// rays, which differ more than anything else: where a near hit comes early in the list, all that
+/// follow are rejected by their distance.
 fn triangles() -> usize {
-    256
-}
-
-/// With as many triangles as this, 512 tests: as few as of pairs.
-fn fixed_triangles() -> usize {
     32
 }
 
@@ -97,7 +97,7 @@ fn fixed_rays() -> usize {
 }
 
 fn reshuffled_rays() -> usize {
-    1024
+    256
 }
 
 /// Points of the planes of triangles.
@@ -132,6 +132,16 @@ pub struct CodesWorkload {
     pub orders: Vec<Order>,
 }
 
+/// Random hits whose errors are measured.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ErrorsWorkload {
+    /// Hits of each seed.
+    pub hits: usize,
+    /// Number of seeds, from the experiment's on.
+    pub seeds: usize,
+}
+
 impl Workload {
     /// Whether it is variants that are run.
     pub fn has_variants(&self) -> bool {
@@ -150,6 +160,7 @@ impl Workload {
             Workload::Nearest(nearest) => nearest.validate(),
             Workload::Points(points) => points.validate(),
             Workload::Codes(codes) => codes.validate(),
+            Workload::Errors(errors) => errors.validate(),
             Workload::Counts | Workload::Arithmetic => Ok(()),
         }
     }
@@ -188,6 +199,7 @@ impl PairsWorkload {
                 "workload.seconds_of_tests: {tests} is not allowed; allowed: above 0"
             ));
         }
+        self.errors.as_ref().map_or(Ok(()), ErrorsWorkload::validate)?;
         in_range("count", self.count, 1)?;
         in_range("reshuffled_count", self.reshuffled_count, 1)
     }
@@ -210,9 +222,8 @@ impl NearestWorkload {
                         reshuffled (one ray's walk over all triangles is one item)"
                 .to_owned());
         }
-        let fixed = ("rays", self.rays, self.fixed_triangles);
-        let reshuffled = ("reshuffled_rays", self.reshuffled_rays, self.triangles);
-        for (key, rays, triangles) in [fixed, reshuffled] {
+        for (key, rays) in [("rays", self.rays), ("reshuffled_rays", self.reshuffled_rays)] {
+            let triangles = self.triangles;
             let spec = NearestSpec { triangles, rays, kind: self.coherence, seed: 0 };
             spec.validate().map_err(|error| format!("workload.{key}: {error}"))?;
         }
@@ -230,5 +241,12 @@ impl CodesWorkload {
         }
         in_range("timed_pairs", self.timed_pairs, 1)?;
         in_range("pairs", self.pairs, 1)
+    }
+}
+
+impl ErrorsWorkload {
+    fn validate(&self) -> Result<(), String> {
+        in_range("hits", self.hits, 1)?;
+        in_range("seeds", self.seeds, 1)
     }
 }

@@ -76,25 +76,31 @@ impl Clock for ScriptedClock {
 pub struct TimerFigures {
     /// Smallest step seen between two readings, ns; `None` if it never moved.
     pub resolution_ns: Option<u64>,
-    /// Mean time per reading, ns.
+    /// Time per reading, ns: the smallest mean of 100 in a row.
     pub cost_ns: f64,
 }
 
-/// Reads `clock` 10 000 times in a row.
+/// Reads `clock` 20 000 times in 200 rows, of which a neighbour or a switch spoils some: what one
+/// reading costs is taken off all others, so that a mean over everything shifted all cycles of a
+/// process by a quarter of a per cent.
 pub fn timer_figures(clock: &mut dyn Clock) -> TimerFigures {
-    const READINGS: u32 = 10_000;
-    let first = clock.now_ns();
-    let (mut last, mut resolution_ns) = (first, None::<u64>);
-    for _ in 0..READINGS {
-        let now = clock.now_ns();
-        let step = now.saturating_sub(last);
-        if step > 0 {
-            resolution_ns = Some(resolution_ns.map_or(step, |r| r.min(step)));
+    const ROWS: u32 = 200;
+    const READINGS: u32 = 100;
+    let (mut resolution_ns, mut shortest_ns) = (None::<u64>, u64::MAX);
+    for _ in 0..ROWS {
+        let first = clock.now_ns();
+        let mut last = first;
+        for _ in 0..READINGS {
+            let now = clock.now_ns();
+            let step = now.saturating_sub(last);
+            if step > 0 {
+                resolution_ns = Some(resolution_ns.map_or(step, |r| r.min(step)));
+            }
+            last = now;
         }
-        last = now;
+        shortest_ns = shortest_ns.min(last.saturating_sub(first));
     }
-    let cost_ns = last.saturating_sub(first) as f64 / f64::from(READINGS);
-    TimerFigures { resolution_ns, cost_ns }
+    TimerFigures { resolution_ns, cost_ns: shortest_ns as f64 / f64::from(READINGS) }
 }
 
 #[cfg(test)]

@@ -134,8 +134,8 @@ pub struct Figures {
     pub repeats: usize,
     /// Windows that its items were cut into.
     pub windows: usize,
-    /// ns per test, one a clean round (a complete pass, where rounds were cut into windows), in the
-    /// order measured.
+    /// ns per test, one a clean round, in the order measured; levelled, where rounds were cut into
+    /// windows.
     pub samples: Vec<f64>,
 }
 

@@ -29,7 +29,6 @@ mod interference;
 mod latin;
 mod machine;
 mod neighbour;
-mod passes;
 mod pin;
 mod plan;
 mod protocol;
@@ -40,6 +39,7 @@ mod runner;
 mod scripted;
 mod shuffle;
 mod steadiness;
+mod windows;
 
 pub use affinity::allowed_cpus;
 pub use build_info::BuildInfo;

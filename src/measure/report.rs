@@ -5,9 +5,9 @@ use super::contestant::Role;
 use super::figures::{CyclesSource, Figures, GroupReport, Invalid, Status};
 use super::group::Rounds;
 use super::guard;
-use super::passes;
 use super::protocol::{Pace, Protocol};
 use super::runner::{Runner, Sample};
+use super::windows;
 use crate::stats::{decide, log_ratios, median, paired_ratio, sign_interval};
 
 /// No machine that we know tells less apart between two builds of one source.
@@ -19,6 +19,8 @@ struct Controls {
     reference: Vec<f64>,
     chain: Vec<f64>,
     empty: Vec<f64>,
+    /// Of the chain: median block among the others over the median alone.
+    chain_solo: Option<f64>,
 }
 
 impl Controls {
@@ -29,6 +31,7 @@ impl Controls {
             reference: times(Role::Reference),
             chain: times(Role::Chain),
             empty: times(Role::Empty),
+            chain_solo: runner(Role::Chain).and_then(over_solo),
         }
     }
 }
@@ -41,8 +44,7 @@ pub(super) fn report(
 ) -> GroupReport {
     let number = runners.len();
     let crowded_share = drop_crowded(runners, protocol.planned_rounds(number), &mut rounds);
-    let over_solo: Vec<Option<f64>> = runners.iter().map(over_solo).collect();
-    let blocks = join_passes(runners);
+    runners.iter_mut().for_each(windows::level);
     let controls = Controls::of(runners);
     let floor = noise_floor(runners, &controls);
     if protocol.guards && protocol.pace == Pace::Throughput {
@@ -52,8 +54,7 @@ pub(super) fn report(
     let controls = Controls::of(runners);
     let mut figures: Vec<Figures> =
         runners.iter().map(|runner| figures_of(runner, &controls, rounds)).collect();
-    put_solo_ratios(&mut figures, &over_solo);
-    put_decisions(&mut figures, &controls, protocol.margin.max(floor), blocks);
+    put_decisions(&mut figures, &controls, protocol.margin.max(floor));
     if rounds.cancelled && rounds.clean < Protocol::LEAST_ROUNDS {
         withhold(&mut figures, &Invalid::Interrupted { rounds: rounds.clean });
     }
@@ -85,15 +86,6 @@ fn drop_crowded(runners: &mut [Runner<'_>], planned: usize, rounds: &mut Rounds)
     rounds.clean = quiet;
     rounds.dirty += crowded;
     0.0
-}
-
-/// Makes samples of whole passes, where the rounds were cut into windows and there were enough.
-fn join_passes(runners: &mut [Runner<'_>]) -> usize {
-    let mut ordered = runners.iter().filter(|r| !r.contestant.role.is_orderless());
-    let Some(windows) = ordered.next().map(|r| r.plan.windows) else { return 1 };
-    // Reshuffled blocks of different lengths have windows of their own.
-    let shared = ordered.all(|r| r.plan.windows == windows);
-    if shared { passes::join(runners, windows, Protocol::LEAST_ROUNDS) } else { 1 }
 }
 
 /// Marks figures as ones that do not stand, whose own reasons are no better.
@@ -128,7 +120,7 @@ fn guard_all(runners: &mut [Runner<'_>], controls: &Controls, floor: f64) {
 /// Cycles of a test in every round: counted where every round was, else by the chain beside the
 /// block, else by that of the round.
 fn cycles(runner: &Runner<'_>, controls: &Controls) -> Option<(Vec<f64>, CyclesSource)> {
-    let counted = |s: &Sample| Some(s.counts?.cycles as f64 / s.tests as f64);
+    let counted = |s: &Sample| Some(s.counts?.cycles as f64 / s.tests as f64 * s.share_of_pass);
     let counts: Option<Vec<f64>> = runner.samples.iter().map(counted).collect();
     if let Some(counts) = counts.filter(|counts| !counts.is_empty()) {
         return Some((counts, CyclesSource::Counter));
@@ -187,7 +179,7 @@ fn figures_of(runner: &Runner<'_>, controls: &Controls, rounds: Rounds) -> Figur
         ratio_first_half: part(0, half),
         ratio_second_half: part(half, samples.len()),
         decision: None,
-        solo_ratio: None,
+        solo_ratio: over_solo(runner).zip(controls.chain_solo).map(|(own, chain)| own / chain),
         empty_loop_ratio: median_quotient(&controls.empty, &samples),
         tests_per_block: runner.tests(0),
         repeats: runner.plan.repeats,
@@ -202,15 +194,6 @@ fn over_solo(runner: &Runner<'_>) -> Option<f64> {
     let first = runner.samples.iter().filter(|sample| sample.window == 0);
     let among_others: Vec<f64> = first.map(|sample| sample.ns as f64).collect();
     Some(median(&among_others)? / runner.solo_ns?)
-}
-
-/// Puts in what [`over_solo`] found, in terms of what it found of the chain.
-fn put_solo_ratios(figures: &mut [Figures], over_solo: &[Option<f64>]) {
-    let chain = figures.iter().position(|figures| figures.role == Role::Chain);
-    let chain = chain.and_then(|place| over_solo[place]);
-    for (figures, own) in figures.iter_mut().zip(over_solo) {
-        figures.solo_ratio = own.zip(chain).map(|(own, chain)| own / chain);
-    }
 }
 
 /// Median of `above[i] / below[i]`; unlike a ratio with an interval it needs one round only.
@@ -239,8 +222,8 @@ fn noise_floor(runners: &[Runner<'_>], controls: &Controls) -> f64 {
 }
 
 /// Judges all subjects as one family, and each placebo by itself: a placebo is asked whether it
-/// alone would have been called different. A sample is so many `blocks`.
-fn put_decisions(figures: &mut [Figures], controls: &Controls, margin: f64, blocks: usize) {
+/// alone would have been called different.
+fn put_decisions(figures: &mut [Figures], controls: &Controls, margin: f64) {
     let mut families: Vec<Vec<usize>> = vec![Vec::new()];
     let mut members = Vec::new();
     for (place, figures) in figures.iter().enumerate() {
@@ -256,7 +239,7 @@ fn put_decisions(figures: &mut [Figures], controls: &Controls, margin: f64, bloc
     for family in families {
         let of: Vec<_> = family.iter().filter_map(|place| members[*place].clone()).collect();
         for (place, decision) in family.into_iter().zip(decide(&of, margin).unwrap_or_default()) {
-            figures[place].decision = Some(decision.in_rounds_of(blocks));
+            figures[place].decision = Some(decision);
         }
     }
 }

@@ -24,8 +24,8 @@ pub(super) fn permutation(rng: &mut Pcg64Mcg, items: usize) -> Vec<u32> {
 }
 
 /// Lays out the items of a job in `order`, and what they share in a new order. Were every ray to
-/// meet the triangles in one order, a predictor would half learn it, more or less from block to
-/// block: 10 % of the time, where half of what it learns is nothing 1 %.
+/// meet the triangles in one order, a predictor would learn a part of it, more in one block and
+/// process than in another: cells of two processes agreed within 1 % in 67 of 100 cases, not in 87.
 pub(super) fn lay_out(rng: &mut Pcg64Mcg, job: &mut dyn Job, order: &[u32]) {
     job.permute(order);
     if job.shared_records() > 0 {

@@ -42,15 +42,6 @@ pub struct Decision {
     pub p_value: f64,
 }
 
-impl Decision {
-    /// The same where each of the paired values was made of `rounds` rounds.
-    pub fn in_rounds_of(self, rounds: usize) -> Self {
-        let Verdict::Unresolved { more_rounds } = self.verdict else { return self };
-        let more_rounds = more_rounds.map(|more| more.saturating_mul(rounds as u64));
-        Decision { verdict: Verdict::Unresolved { more_rounds }, ..self }
-    }
-}
-
 /// Largest [`Decision::p_value`] that makes a difference.
 pub const LEVEL: f64 = 0.05;
 

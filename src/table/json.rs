@@ -34,11 +34,20 @@ struct Raw {
     rows: Vec<Map<String, Value>>,
 }
 
-/// Writes a run file.
+/// Writes a run file, each row on a line of its own.
 pub fn write_json(path: &Path, run: &RunFile) -> Result<(), TableError> {
-    let mut bytes = serde_json::to_vec_pretty(run).map_err(|error| syntax(path, &error))?;
-    bytes.push(b'\n');
-    write_atomically(path, &bytes)
+    let head = RunFile { rows: Vec::new(), ..run.clone() };
+    let mut text = serde_json::to_string_pretty(&head).map_err(|error| syntax(path, &error))?;
+    // The rows are the last field; there are none yet.
+    let end = text.rfind("[]").unwrap_or(text.len());
+    text.truncate(end);
+    text.push('[');
+    for (index, row) in run.rows.iter().enumerate() {
+        text.push_str(if index == 0 { "\n    " } else { ",\n    " });
+        text += &serde_json::to_string(row).map_err(|error| syntax(path, &error))?;
+    }
+    text.push_str("\n  ]\n}\n");
+    write_atomically(path, text.as_bytes())
 }
 
 /// Reads a run file; names the row and the column of what is wrong, and what is allowed there.

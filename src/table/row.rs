@@ -244,6 +244,117 @@ columns! {
     cold_floor_ns: Option<f64>,
     /// Hash of the bits of all outputs of one pass.
     outputs_hash: String,
+    /// Mean relative error of u.
+    err_u_mean_rel: Option<f64>,
+    /// Mean relative error of v.
+    err_v_mean_rel: Option<f64>,
+    /// Mean of the mean relative errors of t, u and v.
+    err_tuv_mean_rel: Option<f64>,
+    /// Largest relative error of any of the three.
+    err_max_rel: Option<f64>,
+    /// Hits whose errors are in the columns `err_...`: kernel's and exact, exactly inside.
+    err_cases: Option<u64>,
+    /// Cases exactly on an edge, at a vertex or at an end of the range of t: in no other count of
+    /// wrong decisions and in no error.
+    boundary_cases: Option<u64>,
+    /// False hits that are wrong by a weight of 0.01 or by 1e-4 of the range of t.
+    deep_false_hits: Option<u64>,
+    /// False misses that are wrong by that much.
+    deep_false_misses: Option<u64>,
+    /// Wrong decisions that 16 condition numbers of rounding do not explain.
+    inexcusable: Option<u64>,
+    /// By how much the worst decision is wrong: weight, or share of the range of t.
+    worst_depth: Option<f64>,
+    /// Bits of t that are wrong: mean of log2(1 + floats between it and the exact one).
+    t_bits_lost_mean: Option<f64>,
+    /// Most of them.
+    t_bits_lost_max: Option<f64>,
+    /// Bits of u and v that are wrong, mean.
+    uv_bits_lost_mean: Option<f64>,
+    /// Most of them.
+    uv_bits_lost_max: Option<f64>,
+    /// Median error of t, in units in the last place.
+    err_t_p50_ulp: Option<f64>,
+    /// 99th percentile of it.
+    err_t_p99_ulp: Option<f64>,
+    /// Median of the largest absolute error of a hit's three weights.
+    err_b_p50: Option<f64>,
+    /// 99th percentile of it.
+    err_b_p99: Option<f64>,
+    /// 99.9th percentile of it.
+    err_b_p999: Option<f64>,
+    /// Largest of it.
+    err_b_max: Option<f64>,
+    /// Median backward error (relative change of the inputs that makes the outputs exact), in unit
+    /// roundoffs.
+    backward_p50_u: Option<f64>,
+    /// 99th percentile of it.
+    backward_p99_u: Option<f64>,
+    /// Largest of it.
+    backward_max_u: Option<f64>,
+    /// Largest error of t over its condition number times the unit roundoff.
+    t_excess_max: Option<f64>,
+    /// The same of the weights.
+    b_excess_max: Option<f64>,
+    /// What the errors are against, where it is not the exact answer alone: `exact` or
+    /// `moller-trumbore-f64`.
+    err_against: String,
+    /// `err_tuv_mean_rel` over that against the exact answer.
+    err_ratio_to_exact: Option<f64>,
+    /// Stability: what the row is about: `cases`, `rays`, `spawned`, `metamorphic`, or, summed up,
+    /// `knee`, `leaks`.
+    record: String,
+    /// Family of cases.
+    family: String,
+    /// Setting of the family's knob.
+    knob: Option<f64>,
+    /// What the knob is; k is its setting.
+    knob_name: String,
+    /// The form's name in tables and charts: its kernel, and what is unusual about it.
+    form: String,
+    /// Cases put to the kernel: of rays, those that exactly cross the mesh.
+    cases: Option<u64>,
+    /// Cases that are exactly hits.
+    exact_hits: Option<u64>,
+    /// Share of the cases that are clearly what was wanted, a hit or a miss.
+    attained_share: Option<f64>,
+    /// Median relative error of t.
+    err_t_p50_rel: Option<f64>,
+    /// 99th percentile of it.
+    err_t_p99_rel: Option<f64>,
+    /// 99th percentile, over the exact hits, of the condition number of t relative to t.
+    kappa_t_p99: Option<f64>,
+    /// The same of the largest absolute condition number of a weight.
+    kappa_b_p99: Option<f64>,
+    /// Hits reported of cases whose input is not finite.
+    hits_of_not_finite: Option<u64>,
+    /// What rays are aimed at: `random`, `edge`, `vertex`, `exact edge`, `exact vertex`.
+    ray_class: String,
+    /// Rays that exactly cross the mesh in a single point.
+    single_crossings: Option<u64>,
+    /// Rays that exactly cross the mesh and hit no triangle.
+    leaks: Option<u64>,
+    /// Single crossings that hit several triangles.
+    double_hits: Option<u64>,
+    /// Leaks in a million rays.
+    leaks_per_million: Option<f64>,
+    /// Where no leak was seen, the rate that they are below with a probability of 95 %.
+    leaks_bound_per_million: Option<f64>,
+    /// Double hits in a million single crossings.
+    double_hits_per_million: Option<f64>,
+    /// First setting of the knob at which the kernel fails; empty where it never does.
+    knee: Option<f64>,
+    /// Its place in the sweep, 0 the first setting; 1 where there is none.
+    knee_share: Option<f64>,
+    /// Rays from a computed hit point that hit the same triangle again.
+    spawned_hits: Option<u64>,
+    /// Smallest offset along the normal at which none does, in unit roundoffs of the largest
+    /// coordinate; a power of two.
+    spawned_offset: Option<f64>,
+    /// Decisions that a transformation changed which may change none.
+    metamorphic_decisions: Option<u64>,
+    /// Hits of both whose u or v changed a bit.
+    metamorphic_uv: Option<u64>,
     /// How edge functions keep their signs: `fallback`, `no-fallback` or `exact-sign`.
     edges: String,
     /// `kept`, or `flushed` to zero.
@@ -252,9 +363,13 @@ columns! {
 
 impl Serialize for Row {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(COLUMNS.len()))?;
-        for column in COLUMNS {
-            map.serialize_entry(column, &self.cell(column))?;
+        let mut map = serializer.serialize_map(None)?;
+        for (place, column) in COLUMNS.iter().enumerate() {
+            let cell = self.cell(column).unwrap_or(Cell::Missing);
+            // The contract's columns are always there; of ours, an empty one would only take room.
+            if place < REQUIRED || cell != Cell::Missing {
+                map.serialize_entry(column, &cell)?;
+            }
         }
         map.end()
     }

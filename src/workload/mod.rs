@@ -16,7 +16,7 @@ mod thesis;
 mod triangle;
 
 pub use error::WorkloadError;
-pub use nearest::{Kind, NearestSet, NearestSpec};
+pub use nearest::{Kind, NearestSet, NearestSpec, random_pair};
 pub use pairs::{PairSpec, Pairs, QueryKind, Winding};
 pub use points::{PointSet, PointSpec};
 pub use random::{Generator, Msvc, Pcg, Source, Unit};

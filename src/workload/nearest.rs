@@ -183,6 +183,13 @@ fn on_sphere(source: &mut Pcg) -> Vec3 {
     }
 }
 
+/// A ray and a triangle as random sets have them, the next of a generator, without regard to what
+/// rounding makes of them: what errors are measured on.
+pub fn random_pair(source: &mut Pcg) -> (Ray, Triangle) {
+    let triangle = triangle(source);
+    (random_ray(source), triangle)
+}
+
 fn random_ray(source: &mut Pcg) -> Ray {
     let origin = on_sphere(source);
     let target = on_sphere(source);

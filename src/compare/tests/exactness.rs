@@ -1,20 +1,7 @@
 //! What counts as less exact.
 
 use super::*;
-
-type Setter = fn(&mut Row, f64);
-
-/// Each column with a way to set it to the value in the base times a factor.
-const ERRORS: [(&str, Setter); 7] = [
-    ("false_misses", |row, factor| row.false_misses = Some((2.0 * factor) as u64)),
-    ("err_t_mean_rel", |row, factor| row.err_t_mean_rel = Some(1e-7 * factor)),
-    ("err_t_p999_ulp", |row, factor| row.err_t_p999_ulp = Some(3.0 * factor)),
-    ("err_t_max_ulp", |row, factor| row.err_t_max_ulp = Some(9.0 * factor)),
-    ("err_u_max_abs", |row, factor| row.err_u_max_abs = Some(1e-6 * factor)),
-    ("err_v_max_abs", |row, factor| row.err_v_max_abs = Some(1e-6 * factor)),
-    // Away from 0 in the base: then there is a quotient to look at.
-    ("false_hits", |row, factor| row.false_hits = Some((4.0 * factor) as u64)),
-];
+use crate::compare::exactness::ERRORS;
 
 fn changed(change: impl Fn(&mut Row)) -> Comparison {
     let subject = |row: &mut Row| row.id == SUBJECT && row.order == "fixed";
@@ -30,24 +17,59 @@ fn changed(change: impl Fn(&mut Row)) -> Comparison {
 
 #[test]
 fn every_column_of_errors_judges() {
-    for (column, set) in ERRORS {
-        let of = |factor: f64| {
+    for column in ERRORS {
+        let of = |value: &'static str| {
             with(move |row| {
                 if row.id == SUBJECT && row.order == "fixed" {
-                    set(row, factor)
+                    row.set(column, value).expect("a number")
                 }
             })
         };
-        let worse = at_3_percent(&of(1.0), &of(1.5));
+        let worse = at_3_percent(&of("4"), &of("6"));
         assert_eq!(worse.verdict, Verdict::Regressed, "{column}");
         assert_eq!(figures(&worse.regressions), [(SUBJECT, column)]);
         let change = &worse.regressions[0].change;
         assert!((change.ratio.unwrap() - 1.5).abs() < 1e-12);
         assert_eq!((change.low, change.high), (None, None));
-        let better = at_3_percent(&of(1.5), &of(1.0));
+        let better = at_3_percent(&of("6"), &of("4"));
         assert_eq!(better.verdict, Verdict::Improved, "{column}");
         assert_eq!(figures(&better.improvements), [(SUBJECT, column)]);
     }
+}
+
+#[test]
+fn no_figure_of_accuracy_is_forgotten() {
+    let is_figure = |column: &&&str| {
+        let name = ["err_", "false_", "deep_", "backward_"].iter().any(|s| column.starts_with(s))
+            || column.contains("bits_lost")
+            || column.ends_with("excess_max");
+        // A column that takes a word is none.
+        name && Row::default().set(column, "word").is_err()
+    };
+    // How many there are, and what is made of the others.
+    let told_otherwise = ["err_cases", "err_tuv_mean_rel", "err_ratio_to_exact"];
+    let figures: Vec<&&str> = crate::table::COLUMNS.iter().filter(is_figure).collect();
+    assert!(figures.len() > 25, "{figures:?}");
+    for column in figures {
+        assert!(ERRORS.contains(column) || told_otherwise.contains(column), "{column}");
+    }
+}
+
+#[test]
+fn what_errors_are_against_is_part_of_what_was_measured() {
+    // Against the exact answer and against another kernel, the same subject has two rows.
+    let both = |worse: f64| {
+        let mut rows = rows();
+        let subject = rows.iter().position(|row| row.id == SUBJECT).unwrap();
+        let mut row = rows[subject].clone();
+        row.err_against = "moller-trumbore-f64".into();
+        row.err_t_mean_rel = Some(2e-7 * worse);
+        rows.insert(0, row);
+        side(rows)
+    };
+    assert_eq!(at_3_percent(&both(1.0), &both(1.0)).verdict, Verdict::Same);
+    let worse = at_3_percent(&both(1.0), &both(1.5));
+    assert_eq!(figures(&worse.regressions), [(SUBJECT, "err_t_mean_rel")]);
 }
 
 #[test]

@@ -32,8 +32,10 @@ fn usual(script: &Script, items: usize) -> Vec<Contestant> {
     contestants.map(one).into()
 }
 
+/// 20 rounds of 60 us in every order.
 fn protocol(order: Order) -> Protocol {
-    Protocol { rounds: 20, ..Protocol::new(order, 11) }
+    let exact_rounds = order == Order::Reshuffled;
+    Protocol { rounds: 20, block_ns: 60_000, exact_rounds, ..Protocol::new(order, 11) }
 }
 
 fn measure(contestants: &mut [Contestant], protocol: &Protocol, script: &Script) -> GroupReport {

@@ -85,8 +85,9 @@ fn long_sets_are_cut_into_windows_that_packets_share() {
     let (rays, ray_calls) = subject("rays", Role::Reference, rays);
     let (packets, packet_calls) = subject("packets", Role::Subject, packets);
     let report = measure(&mut [rays, packets], &protocol(Order::Fixed), &script);
-    // 240 x 2.56 us are 11 blocks of 60 us, but 122 880 tests are 16 times what is remembered.
-    assert_eq!((report.figures[0].windows, report.figures[1].windows), (16, 16));
+    // 240 x 2.56 us are 11 blocks of 60 us, but 122 880 tests are 31 times what is remembered, and
+    // there are 30 packets.
+    assert_eq!((report.figures[0].windows, report.figures[1].windows), (30, 30));
     assert_eq!(report.figures[1].samples, [2.5; 20]);
     assert!(is_near(report.figures[1].ratio_to_reference, 0.25));
     let last = |calls: &Calls| timed_blocks(calls).split_off(timed_blocks(calls).len() - 20);
@@ -118,10 +119,10 @@ fn many_contestants_replay_fewer_items_each() {
     let new = |id: &str| subject(id, Role::Subject, ScriptedJob::new(&script, 6000, 1)).0;
     let mut three = ["a", "b", "c"].map(new);
     let report = measure(&mut three, &protocol(Order::Fixed), &script);
-    // 18 000 tests are more than a predictor remembers, a third of them are not.
-    assert!(report.figures.iter().all(|figures| figures.windows == 3));
-    // Four lanes at once are one walk.
-    let mut packets = three.map(|contestant| contestant.with_limits(4, 0.0));
+    // 18 000 tests are more than a predictor remembers, a fifth of them are not.
+    assert!(report.figures.iter().all(|figures| figures.windows == 5));
+    // Eight lanes at once are one walk.
+    let mut packets = three.map(|contestant| contestant.with_limits(8, 0.0));
     let report = measure(&mut packets, &protocol(Order::Fixed), &script);
     assert!(report.figures.iter().all(|figures| figures.windows == 1));
 }

@@ -54,8 +54,8 @@ fn tests_of_an_item_share_its_time() {
     let mut group = [subject("nearest", Role::Subject, job).0];
     let report = measure(&mut group, &protocol(Order::Fixed), &script);
     assert_eq!(report.figures[0].ns_per_test, Some(2.0));
-    // Two windows.
-    assert_eq!(report.figures[0].tests_per_block, 24 * 256 * report.figures[0].repeats as u64);
+    // Four windows.
+    assert_eq!(report.figures[0].tests_per_block, 12 * 256 * report.figures[0].repeats as u64);
     assert_eq!(report.figures[0].ratio_to_reference, None);
 }
 

@@ -1,0 +1,209 @@
+//! `ray_test stability`: stiff and extreme cases, and where each kernel starts to fail.
+
+use std::io::Write;
+use std::num::NonZero;
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use clap::Args;
+use serde_json::json;
+
+use super::arguments::Format;
+use super::failure::Failure;
+use super::folder::Folder;
+use super::show::print;
+use super::{interrupt, progress, stability_tables};
+use crate::chart::{Published, draw, stability_figures};
+use crate::level::levels;
+use crate::measure::{Environment, WallClock};
+use crate::stability::{
+    Depth, EXPERIMENT, Family, Outcome, Precision, Sweep, Watch, families, forms, known_words,
+};
+use crate::table::{RunFile, SCHEMA_VERSION, write_atomically, write_csv, write_json};
+use crate::workload::hash::Fnv;
+
+/// What is said below the options.
+pub const HELP: &str = "Examples:
+  ray_test stability
+  ray_test stability --families needle,far --precision f32 --out results/needles
+  ray_test stability --kernels moller-trumbore,woop-watertight --format csv
+
+A kernel's id asks for its usual form, a variant's id for that form (in the early form with output
+tuv; `ray_test list variants`). `ray_test list families` shows the families. No clock is read: the
+rows are the same on every machine.";
+
+/// `ray_test stability`
+#[derive(Args, Debug)]
+pub struct Stability {
+    /// Only these families, separated by commas
+    #[arg(long, value_delimiter = ',')]
+    pub families: Vec<String>,
+    /// Only these kernels or variants, separated by commas
+    #[arg(long, value_delimiter = ',')]
+    pub kernels: Vec<String>,
+    /// Only this precision
+    #[arg(long, value_enum)]
+    pub precision: Option<PrecisionWord>,
+    /// Folder for the results [default: results/<UTC time>-<config hash>]
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// How much is drawn: 1000, 10000 or 50000 cases a setting
+    #[arg(long, value_enum, default_value_t = DepthWord::Standard)]
+    pub depth: DepthWord,
+    /// Where the random generators start
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// How the summary is printed
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// A precision.
+#[derive(clap::ValueEnum, Clone, Copy, Debug)]
+#[allow(missing_docs, reason = "the words explain themselves where they are used")]
+pub enum PrecisionWord {
+    F32,
+    F64,
+}
+
+/// How much is drawn.
+#[derive(clap::ValueEnum, Clone, Copy, Debug)]
+#[allow(missing_docs, reason = "the words explain themselves where they are used")]
+pub enum DepthWord {
+    Quick,
+    Standard,
+    Thorough,
+}
+
+/// Checks everything, sweeps, writes rows and figures, prints the summary.
+pub fn run(arguments: &Stability) -> Result<(), Failure> {
+    let sweep = sweep(arguments)?;
+    let mut environment = Environment::capture(&mut WallClock::new());
+    let has = |(level, available): (&str, bool)| available.then(|| level.to_owned());
+    environment.levels = levels().into_iter().filter_map(has).collect();
+    let hash = hash(arguments, &environment);
+    let folder = Folder::new(arguments.out.as_deref(), hash, environment.clone(), String::new());
+    folder.create()?;
+    let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
+    eprintln!(
+        "{} families, {} forms of kernels, about {:.0} s on {processors} processors; results in {}",
+        sweep.families.len(),
+        sweep.forms.len(),
+        sweep.seconds(processors).ceil(),
+        folder.path().display()
+    );
+    let cancel = interrupt::flag();
+    let bar = progress::bar(sweep.pieces());
+    let start = Instant::now();
+    let done = |_: usize| bar.inc(1);
+    let outcome = sweep.run(&Watch { cancel, done: &done, threads: None });
+    bar.finish_and_clear();
+    let figures = save(&folder, &environment, &outcome, sweep.seed)?;
+    eprintln!(
+        "{} rows, {figures} figures, {:.1} s",
+        outcome.rows.len(),
+        start.elapsed().as_secs_f64()
+    );
+    match arguments.format {
+        Format::Text => write!(std::io::stdout(), "{}", stability_tables::text(&outcome.rows))?,
+        format => print(&stability_tables::sheet(&outcome.rows), format)?,
+    }
+    if arguments.format == Format::Text {
+        writeln!(std::io::stdout(), "{}", folder.path().display())?;
+    }
+    if cancel.load(Ordering::Relaxed) && !outcome.complete {
+        eprintln!("what was done is saved in {}", folder.path().display());
+        return Err(Failure::Interrupted);
+    }
+    Ok(())
+}
+
+fn sweep(arguments: &Stability) -> Result<Sweep, Failure> {
+    let precision = arguments.precision.map(|word| match word {
+        PrecisionWord::F32 => Precision::F32,
+        PrecisionWord::F64 => Precision::F64,
+    });
+    let depth = match arguments.depth {
+        DepthWord::Quick => Depth::Quick,
+        DepthWord::Standard => Depth::Standard,
+        DepthWord::Thorough => Depth::Thorough,
+    };
+    let families = chosen(&arguments.families)?;
+    let forms = forms(&arguments.kernels, precision).map_err(|unknown| {
+        refused("--kernels", &unknown.word, &known_words(), "`ray_test list kernels` shows them")
+    })?;
+    if forms.is_empty() {
+        let asked = arguments.kernels.join(",");
+        return Err(Failure::Usage(format!(
+            "--kernels: '{asked}' has no form in this precision; allowed: the other one, or other \
+             kernels"
+        )));
+    }
+    Ok(Sweep { families, forms, depth, seed: arguments.seed })
+}
+
+/// The families asked for, in their usual order; all without a word.
+fn chosen(words: &[String]) -> Result<Vec<Family>, Failure> {
+    let mut all = families();
+    let known: Vec<String> = all.iter().map(|family| family.id.to_owned()).collect();
+    if let Some(word) = words.iter().find(|word| !known.contains(word)) {
+        return Err(refused("--families", word, &known, &format!("allowed: {}", known.join(", "))));
+    }
+    all.retain(|family| words.is_empty() || words.iter().any(|word| word == family.id));
+    Ok(all)
+}
+
+fn refused(option: &str, word: &str, known: &[String], allowed: &str) -> Failure {
+    let alike = |known: &&String| strsim::jaro_winkler(word, known);
+    let best = known.iter().max_by(|a, b| alike(a).total_cmp(&alike(b)));
+    let best = best.map(|best| format!(" Did you mean '{best}'?")).unwrap_or_default();
+    Failure::Usage(format!("{option}: '{word}' is not known; {allowed}.{best}"))
+}
+
+fn hash(arguments: &Stability, environment: &Environment) -> u64 {
+    let mut hash = Fnv::default();
+    let settings = format!(
+        "{:?} {:?} {:?} {:?} {}",
+        arguments.families, arguments.kernels, arguments.precision, arguments.depth, arguments.seed
+    );
+    hash.bytes(settings.as_bytes());
+    hash.bytes(format!("{:?}", environment.build).as_bytes());
+    hash.finish()
+}
+
+/// Writes rows and figures; returns how many figures.
+fn save(
+    folder: &Folder,
+    environment: &Environment,
+    outcome: &Outcome,
+    seed: u64,
+) -> Result<usize, Failure> {
+    let path = folder.path().join(EXPERIMENT);
+    std::fs::create_dir_all(&path)?;
+    write_csv(&path.join("rows.csv"), &outcome.rows)?;
+    let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
+    let figures = if outcome.complete { stability_figures(&outcome.rows) } else { Vec::new() };
+    for figure in &figures {
+        let svg = draw(figure, &outcome.rows, &published)
+            .map_err(|error| Failure::Runtime(error.into()))?;
+        write_atomically(&path.join(format!("{}.svg", figure.file)), svg.as_bytes())?;
+    }
+    let mut environment =
+        serde_json::to_value(environment).map_err(|error| Failure::Runtime(error.into()))?;
+    environment["complete"] = json!(outcome.complete);
+    let mut hash = Fnv::default();
+    for row in &outcome.rows {
+        hash.bytes(format!("{} {:?} {:?}", row.workload, row.knob, row.cases).as_bytes());
+    }
+    let run = RunFile {
+        schema_version: SCHEMA_VERSION.to_owned(),
+        environment,
+        seed,
+        workload_hash: format!("{:016x}", hash.finish()),
+        rows: outcome.rows.clone(),
+    };
+    // Last: it says that everything is there.
+    write_json(&path.join("rows.json"), &run)?;
+    Ok(figures.len())
+}

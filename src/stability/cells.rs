@@ -1,0 +1,86 @@
+//! One setting of a family's knob: every form on the same cases.
+
+use super::draw::Draw;
+use super::family::{Case, Family};
+use super::forms::Form;
+use super::rows;
+use super::sweep::Setting;
+use crate::accuracy::{Accuracy, Measures};
+use crate::table::Row;
+
+/// Condition numbers of the hits of a setting: what rounding the inputs alone may do.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Conditioning {
+    /// 99th percentile of the condition number of t relative to t.
+    pub t_p99: Option<f64>,
+    /// 99th percentile of the largest absolute condition number of a weight.
+    pub weights_p99: Option<f64>,
+}
+
+/// What a form did at a setting.
+pub struct Found {
+    /// Against the exact answers.
+    pub accuracy: Accuracy,
+    /// Hits that it reported.
+    pub hits: u64,
+    /// Hits among the cases whose input is not finite.
+    pub hits_of_nothing: u64,
+}
+
+/// The rows of one setting: one a form. Forms that flush subnormal numbers are asked in families
+/// of small numbers alone.
+pub fn rows_of(family: &Family, setting: &Setting, forms: &[Form]) -> Vec<Row> {
+    let precision = setting.precision;
+    let is_small = ["tiny", "subnormal"].contains(&family.id);
+    let forms: Vec<&Form> = forms
+        .iter()
+        .filter(|form| form.precision == precision && (is_small || !form.flushes()))
+        .collect();
+    let segments = forms.iter().any(|form| form.asked.is_segment);
+    let mut draw = Draw::new(setting.seed, family.id, setting.knob, precision);
+    let cases = family.cases(&mut draw, setting.knob, setting.count, segments);
+    let attained = cases.iter().filter(|case| case.attained).count();
+    let share = attained as f64 / cases.len().max(1) as f64;
+    let conditioning = conditioning(&cases);
+    let row = |form: &&Form| {
+        let mut row = rows::of_setting(family, setting, form);
+        rows::put_conditioning(&mut row, conditioning);
+        rows::put_found(&mut row, &ask(form, &cases));
+        row.attained_share = Some(share);
+        row
+    };
+    forms.iter().map(row).collect()
+}
+
+fn ask(form: &Form, cases: &[Case]) -> Found {
+    let mut measures = Measures::new(form.reported());
+    let (mut hits, mut hits_of_nothing) = (0, 0);
+    for case in cases {
+        let truth = if form.asked.is_segment { case.segment.as_ref() } else { Some(&case.truth) };
+        let Some(truth) = truth else { continue };
+        let answer = (form.asked.ask)(&truth.query);
+        let hit = answer.triangle.is_some();
+        hits += u64::from(hit);
+        hits_of_nothing += u64::from(hit && !truth.query.is_finite());
+        measures.add(truth, &answer);
+    }
+    Found { accuracy: measures.finish(), hits, hits_of_nothing }
+}
+
+fn conditioning(cases: &[Case]) -> Conditioning {
+    let hits = || cases.iter().map(|case| &case.truth).filter(|truth| truth.exact.class.is_hit());
+    let t = hits().map(|truth| truth.condition.kappa_t / truth.exact.t.abs());
+    let weights = hits().map(|truth| {
+        let kappa = &truth.condition;
+        kappa.kappa_u.max(kappa.kappa_v).max(kappa.kappa_w)
+    });
+    Conditioning { t_p99: p99(t.collect()), weights_p99: p99(weights.collect()) }
+}
+
+/// The 99th percentile of the finite values, to the nearest rank.
+fn p99(mut values: Vec<f64>) -> Option<f64> {
+    values.retain(|value| value.is_finite());
+    values.sort_unstable_by(f64::total_cmp);
+    let last = values.len().checked_sub(1)?;
+    values.get((last as f64 * 0.99).round() as usize).copied()
+}

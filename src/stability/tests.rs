@@ -1,0 +1,98 @@
+//! The sweep as a whole.
+
+use super::family::Family;
+use super::sweep::Sweep;
+use super::*;
+use crate::table::Row;
+use std::sync::atomic::AtomicBool;
+
+fn sweep(ids: &[&str], kernels: &[&str], seed: u64) -> Sweep {
+    let families: Vec<Family> = ids.iter().map(|id| find(id).expect(id)).collect();
+    let words: Vec<String> = kernels.iter().map(|word| (*word).to_owned()).collect();
+    let forms = forms(&words, Some(Precision::F32)).expect("they are kernels");
+    Sweep { families, forms, depth: Depth::Quick, seed }
+}
+
+fn rows(sweep: &Sweep, threads: usize) -> Vec<Row> {
+    let cancel = AtomicBool::new(false);
+    let watch = Watch { cancel: &cancel, done: &|_| {}, threads: Some(threads) };
+    let outcome = sweep.run(&watch);
+    assert!(outcome.complete);
+    outcome.rows
+}
+
+#[test]
+fn rows_do_not_depend_on_the_number_of_threads() {
+    let few = |seed| sweep(&["grazing", "lattice-mesh", "t-zero"], &["wald", "chirkov"], seed);
+    let one = rows(&few(1), 1);
+    assert_eq!(one, rows(&few(1), 3));
+    assert_ne!(one, rows(&few(2), 1));
+}
+
+#[test]
+fn what_is_cancelled_is_not_complete() {
+    let cancel = AtomicBool::new(true);
+    let watch = Watch { cancel: &cancel, done: &|_| {}, threads: None };
+    let outcome = sweep(&["grazing"], &["wald"], 1).run(&watch);
+    assert!(!outcome.complete && outcome.rows.is_empty());
+}
+
+#[test]
+fn forms_are_named_by_what_is_unusual_about_them() {
+    let forms = forms(&[], None).unwrap();
+    assert!(forms.iter().any(|form| form.name == "moller-trumbore"));
+    for (index, form) in forms.iter().enumerate() {
+        let same = |other: &Form| other.name == form.name && other.precision == form.precision;
+        assert!(!forms[..index].iter().any(same), "{}", form.name);
+    }
+    let wanted = ["moller-trumbore/f32/single/sse2/early/first/plain/tuv".to_owned()];
+    if cfg!(target_arch = "x86_64") {
+        let one = super::forms(&wanted, None).unwrap();
+        assert_eq!(
+            one.iter().map(|form| form.name.as_str()).collect::<Vec<_>>(),
+            ["moller-trumbore first"]
+        );
+    }
+    let unknown = super::forms(&["molar".to_owned()], None).map(|_| ()).unwrap_err();
+    assert_eq!(unknown.word, "molar");
+}
+
+#[test]
+fn plane_kernels_fail_far_away_before_those_that_translate_first() {
+    let rows = rows(&sweep(&["far"], &["moller-trumbore", "badouel-cramer"], 1), 2);
+    let knee = |kernel: &str| {
+        let row = rows.iter().find(|row| row.record == "knee" && row.kernel == kernel);
+        row.expect(kernel).knee.unwrap_or(f64::INFINITY)
+    };
+    assert!(knee("badouel-cramer") < knee("moller-trumbore"));
+}
+
+#[test]
+fn rays_at_exact_edges_are_lost_by_kernels_that_round() {
+    let rows = rows(&sweep(&["lattice-mesh"], &["moller-trumbore", "wald"], 1), 2);
+    let rays: Vec<&Row> = rows.iter().filter(|row| row.record == "rays").collect();
+    assert_eq!(rays.len(), 4);
+    for row in &rays {
+        // Every origin is inside, and every ray meets one point.
+        assert_eq!((row.cases, row.single_crossings), (Some(4000), Some(4000)));
+        assert_eq!(row.nan_outputs, Some(0));
+    }
+    assert!(rays.iter().map(|row| row.double_hits.unwrap_or(0)).sum::<u64>() > 0);
+}
+
+#[test]
+fn every_family_gives_rows_of_every_form() {
+    let ids: Vec<&str> = families().iter().map(|family| family.id).collect();
+    // Meshes have tests of their own, and take long without optimisation.
+    let ids: Vec<&str> = ids.into_iter().filter(|id| !id.starts_with("closed-")).collect();
+    let mut sweep = sweep(&ids, &["moller-trumbore"], 1);
+    for family in &mut sweep.families {
+        family.knobs = |_| vec![1.0];
+    }
+    let rows = rows(&sweep, 2);
+    for id in ids {
+        let row = rows.iter().find(|row| row.family == id).expect(id);
+        assert!(row.cases.is_some_and(|cases| cases > 100), "{id}");
+        assert_eq!(row.record, find(id).unwrap().work.record());
+    }
+}
