@@ -187,7 +187,7 @@ function judge_packet(    w, limit, key) {
 
 function judge_single(    d, p, most) {
     # t, u and v of one f64 hit times one reciprocal may be one wide multiplication: inside one test.
-    most = !divides_first && symbol ~ /, f64>/ ? 1 : 0
+    most = !divides_first && (symbol ~ /, f64>/ || kernel == "MollerTrumboreInF64") ? 1 : 0
     rule("width", found["ymm"] <= most, "ymm", "wide arithmetic in a single form beyond " most)
     rule("width", !found["zmm"], "zmm", "wide arithmetic in a single form")
     if (full) {
@@ -268,6 +268,13 @@ function limits(    k, i, list, part) {
     for (i = 1; i <= k; i++) {
         split(list[i], part, "[/=]")
         heavy("Chirkov HalfSpaces Keidy Plucker SignedAreas", part[1] " " part[2], part[3])
+    }
+    # Kernels that bring every vertex to the ray, by lane, or compute two normals.
+    k = split("Sse2/early=22 Sse2/full=28 Sse42/early=22 Sse42/full=26 Avx2/early=22 Avx2/full=22 " \
+        "Avx512/early=3 Avx512/full=5", list, " ")
+    for (i = 1; i <= k; i++) {
+        split(list[i], part, "[/=]")
+        heavy("WoopWatertight EmbreePlucker", part[1] " " part[2], part[3])
     }
     # A ray whose components are picked by index lies in memory, and its shrinking bound with it.
     heavy("Wald Shevtsov BadouelCramer", "Avx512 early", 1)
