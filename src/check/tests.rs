@@ -1,8 +1,8 @@
 //! Numbers, judgements and segments, each expectation worked out by hand.
 
-use super::precision::Precision::{self, F32, F64};
 use super::segment::Segment;
 use super::*;
+use crate::number::Precision::{self, F32, F64};
 use crate::oracle::{Class, Query};
 
 /// 2^power.
