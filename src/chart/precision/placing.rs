@@ -47,7 +47,7 @@ pub(super) struct Taken {
 /// From a point to the nearest edge of its label.
 const NEAR: f64 = 7.0;
 /// Beyond this the label needs a line to its point.
-pub(super) const FAR: f64 = 16.0;
+pub(super) const FAR: f64 = 12.0;
 /// Labels are looked for in rings, so far apart, so many.
 const RING: f64 = 9.0;
 const RINGS: usize = 16;
