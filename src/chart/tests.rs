@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 mod boxes;
 mod kinds;
 mod refused;
+mod stability;
 
 /// A figure from the text of its TOML table.
 fn figure(text: &str) -> Figure {
