@@ -28,13 +28,7 @@ const COLOURS: [RGBColor; 6] = [
 pub(super) fn draw(figure: &Figure, rows: &[Row]) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
     let shares = selection.points(figure, &figure.y)?;
-    let shown = match &figure.shown {
-        Some(column) => match selection.points(figure, column) {
-            Err(ChartError::Nothing(_)) => Vec::new(),
-            other => other?,
-        },
-        None => shares.clone(),
-    };
+    let shown = shown(figure, &selection, &shares)?;
     let columns = select::distinct(&shares, |point| &point.x);
     let series = ordered(figure, &shares);
     let names = series.iter().map(|name| text::width(&figure.label(name), SMALL, false));
@@ -65,6 +59,19 @@ pub(super) fn draw(figure: &Figure, rows: &[Row]) -> Result<String, ChartError> 
     let notes = [selection.source(), "– never".to_owned()];
     let described = described(figure, &shares, &series);
     frame.close(figure, top, &notes, &described)
+}
+
+/// The numbers in the fields.
+fn shown(
+    figure: &Figure,
+    selection: &Selection<'_>,
+    shares: &[Point],
+) -> Result<Vec<Point>, ChartError> {
+    let Some(column) = &figure.shown else { return Ok(shares.to_vec()) };
+    match selection.points(figure, column) {
+        Err(ChartError::Nothing(_)) => Ok(Vec::new()),
+        other => other,
+    }
 }
 
 fn named(figure: &Figure, name: &String) -> Type {

@@ -8,6 +8,7 @@ mod boxes;
 mod kinds;
 mod precision;
 mod refused;
+mod stability;
 
 /// A figure from the text of its TOML table.
 fn figure(text: &str) -> Figure {
