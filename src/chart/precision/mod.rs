@@ -10,7 +10,7 @@
 //! the column `precision` have one marker each and are joined. With `errors_from`, the errors are
 //! those of other rows with the same id: a chart of times on random data over errors on a stiff
 //! family is drawn from the rows of both experiments in one list, `filter` choosing the times and
-//! `errors_from` the family, for instance `errors_from = { workload = "needle", knob = 4 }`.
+//! `errors_from` the family and one value of its knob, so that each id has one row of errors.
 //!
 //! The front of a precision are the points that no other of it is surely better than
 //! (`Dot::dominates`); the steps go through those of them that are the best of their time. Each
