@@ -45,6 +45,8 @@ pub struct ExitPath {
     pub kernel: &'static str,
     /// What is stored of a triangle.
     pub stored: &'static str,
+    /// How edge functions keep their signs; empty where there is no such choice.
+    pub edges: &'static str,
     /// `first` or `last`.
     pub division: &'static str,
     /// `t` or `tuv`.
@@ -176,11 +178,12 @@ pub fn paths(counter: &Counter, rays: &[Ray], triangles: &[Triangle]) -> Vec<Exi
             path.shortest = path.shortest.min_by_length(operations);
             path.longest = path.longest.max_by_length(operations);
         } else {
-            let Counter { kernel, stored, division, output, .. } = *counter;
+            let Counter { kernel, stored, edges, division, output, .. } = *counter;
             let (calls, shortest, longest) = (1, operations, operations);
             paths.push(ExitPath {
                 kernel,
                 stored,
+                edges,
                 division,
                 output,
                 code,

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 mod boxes;
 mod kinds;
+mod precision;
 mod refused;
 mod stability;
 

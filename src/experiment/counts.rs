@@ -38,6 +38,7 @@ fn of_counter(counter: &Counter, (rays, triangles): (&[Ray], &[Triangle])) -> Ve
         rounding: "plain".into(),
         output: path.output.into(),
         stored: path.stored.into(),
+        edges: path.edges.into(),
         workload: "pairs-operations".into(),
         query: "line".into(),
         winding: "natural".into(),

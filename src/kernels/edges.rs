@@ -48,8 +48,12 @@ impl Edges for Fallback {
         let [u, v, w] = NoFallback::functions::<P, R>([a, b, c]);
         let zero = u.zero();
         if P::Exit::corrects(!(u.ne(zero) & v.ne(zero) & w.ne(zero))) {
-            let exact = [errors::<P, R>(c, b), errors::<P, R>(a, c), errors::<P, R>(b, a)];
-            corrected::<P, R>([u, v, w], exact)
+            let [a, b, c]: [Split<P::Rounding, R>; 3] = [Split::of(a), Split::of(b), Split::of(c)];
+            [
+                nonzero::<P, R>(u, c.errors(&b, c.products(&b))),
+                nonzero::<P, R>(v, a.errors(&c, a.products(&c))),
+                nonzero::<P, R>(w, b.errors(&a, b.products(&a))),
+            ]
         } else {
             [u, v, w]
         }
@@ -60,9 +64,40 @@ impl Edges for ExactSign {
     const NAME: &'static str = "exact-sign";
     #[inline(always)]
     fn functions<P: Policy, R: Real>([a, b, c]: [[R; 2]; 3]) -> [R; 3] {
-        let exact = [errors::<P, R>(c, b), errors::<P, R>(a, c), errors::<P, R>(b, a)];
-        corrected::<P, R>([unfused(c, b), unfused(a, c), unfused(b, a)], exact)
+        let [a, b, c] = [Split::of(a), Split::of(b), Split::of(c)];
+        [exact_sign::<P, R>(c, b), exact_sign::<P, R>(a, c), exact_sign::<P, R>(b, a)]
     }
+}
+
+/// A corner, and its coordinates as the errors of their products want them.
+#[derive(Clone, Copy)]
+struct Split<A: Rounding, R: Real> {
+    at: [R; 2],
+    parts: [A::Parts<R>; 2],
+}
+
+impl<A: Rounding, R: Real> Split<A, R> {
+    #[inline(always)]
+    fn of(at: [R; 2]) -> Self {
+        Split { at, parts: [A::parts(at[0]), A::parts(at[1])] }
+    }
+    /// p_x q_y and p_y q_x, rounded.
+    #[inline(always)]
+    fn products(&self, q: &Self) -> [R; 2] {
+        [self.at[0] * q.at[1], self.at[1] * q.at[0]]
+    }
+    /// The difference of the rounding errors of these products.
+    #[inline(always)]
+    fn errors(&self, q: &Self, [left, right]: [R; 2]) -> R {
+        A::product_error(self.parts[0], q.parts[1], left)
+            - A::product_error(self.parts[1], q.parts[0], right)
+    }
+}
+
+#[inline(always)]
+fn exact_sign<P: Policy, R: Real>(p: Split<P::Rounding, R>, q: Split<P::Rounding, R>) -> R {
+    let [left, right] = p.products(&q);
+    nonzero::<P, R>(left - right, p.errors(&q, [left, right]))
 }
 
 /// p_x q_y - p_y q_x, by the form's rounding.
@@ -71,25 +106,7 @@ fn rounded<P: Policy, R: Real>(p: [R; 2], q: [R; 2]) -> R {
     P::difference(p[0], q[1], p[1], q[0])
 }
 
-/// p_x q_y - p_y q_x, every product rounded.
-#[inline(always)]
-fn unfused<R: Real>(p: [R; 2], q: [R; 2]) -> R {
-    p[0] * q[1] - p[1] * q[0]
-}
-
-/// The difference of the rounding errors of p_x q_y and p_y q_x.
-#[inline(always)]
-fn errors<P: Policy, R: Real>(p: [R; 2], q: [R; 2]) -> R {
-    P::Rounding::product_error(p[0], q[1], p[0] * q[1])
-        - P::Rounding::product_error(p[1], q[0], p[1] * q[0])
-}
-
 /// `exact` where what was rounded is 0 and `exact` a number.
-#[inline(always)]
-fn corrected<P: Policy, R: Real>([u, v, w]: [R; 3], exact: [R; 3]) -> [R; 3] {
-    [nonzero::<P, R>(u, exact[0]), nonzero::<P, R>(v, exact[1]), nonzero::<P, R>(w, exact[2])]
-}
-
 #[inline(always)]
 fn nonzero<P: Policy, R: Real>(rounded: R, exact: R) -> R {
     let stays = rounded.ne(rounded.zero()) | exact.ne(exact);

@@ -8,7 +8,7 @@
 //! u = min(U / (U + V + W), 1), v likewise.
 //! Embree doubles both terms of t, which changes no bit, and takes u = v = 0 where |U + V + W| is
 //! below 1e-18, for its approximate reciprocal; here where it is subnormal.
-//! Stored: 9 numbers (36 bytes in f32). Operations of a hit: 47 x, 57 +-, 1 unary minus, 2 /.
+//! Stored: 9 numbers (36 bytes in f32). Operations of a hit: 48 x, 54 +-, 1 unary minus, 2 /.
 //! `first` is about t: the weights are divided behind the test, which needs their signs only.
 //! Known weakness: shared edges are kept, but the tolerance depends on the triangle, so that a ray
 //! through a vertex can pass between tiny ones; on edges it hits both.

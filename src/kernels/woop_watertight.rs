@@ -14,8 +14,8 @@
 //! `rounding=plain` is watertight. `fused` fuses the edge functions too, and leaks, but with
 //! `edges=exact-sign`.
 //! Stored: 9 numbers (36 bytes in f32). Prepared per ray: an axis, the origin along it, 3 /.
-//! Operations of a hit, divided first, without what is prepared: 21 x, 24 +-, 1 /; divided last 22 x;
-//! `exact-sign` costs 42 x and 63 +- more (fused: 6 x less the sums of Dekker's products).
+//! Operations of a hit, divided first, without what is prepared: 21 x, 22 +-, 1 /; divided last 22 x.
+//! `exact-sign` costs 30 x and 45 +- more (fused 6 x and 9 +-), and so does the fallback where it is taken.
 //! Known weakness: det of triangles smaller than 1e-19 is subnormal in f32, and divided last they are
 //! lost; so is everything for directions below 1e-38, where s_z overflows. What is exact is the
 //! inside of the sheared vertices, which are rounded: a hit may be off by that.

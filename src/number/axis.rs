@@ -29,7 +29,8 @@ impl<M: Mask> Axis<M> {
         let is_x = x.ge(y) & x.ge(z);
         let is_y = !is_x & y.ge(z);
         if R::LANES == 1 {
-            Axis::Uniform(2 - 2 * usize::from(is_x.lane(0)) - usize::from(is_y.lane(0)))
+            let axis = 2 - 2 * u32::from(is_x.lane(0)) - u32::from(is_y.lane(0));
+            Axis::stored(axis)
         } else {
             Axis::Lanes(is_x, is_y)
         }

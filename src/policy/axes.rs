@@ -81,9 +81,13 @@ pub trait Rounding: Copy + 'static {
     fn multiply_add<R: Real>(a: R, b: R, c: R) -> R;
     /// a b - c
     fn multiply_subtract<R: Real>(a: R, b: R, c: R) -> R;
+    /// A number as [`Rounding::product_error`] takes it.
+    type Parts<R: Real>: Copy;
+    /// Prepares a factor.
+    fn parts<R: Real>(x: R) -> Self::Parts<R>;
     /// a b - `product`, where `product` is a b rounded: the error of that rounding, exactly, unless
     /// a part of it underflows or a factor is too large to be split.
-    fn product_error<R: Real>(a: R, b: R, product: R) -> R;
+    fn product_error<R: Real>(a: Self::Parts<R>, b: Self::Parts<R>, product: R) -> R;
 }
 
 /// Every operation rounds: bit-identical on every level and width.
@@ -103,20 +107,20 @@ impl Rounding for Plain {
     fn multiply_subtract<R: Real>(a: R, b: R, c: R) -> R {
         a * b - c
     }
+    /// Two halves whose products are exact.
+    type Parts<R: Real> = [R; 2];
+    /// G. W. Veltkamp, 1968.
+    #[inline(always)]
+    fn parts<R: Real>(x: R) -> [R; 2] {
+        let large = x * x.like(R::Element::SPLITTER);
+        let half = large - (large - x);
+        [half, x - half]
+    }
     /// T. J. Dekker, "A floating-point technique for extending the available precision", 1971.
     #[inline(always)]
-    fn product_error<R: Real>(a: R, b: R, product: R) -> R {
-        let ((a, a_rest), (b, b_rest)) = (split(a), split(b));
+    fn product_error<R: Real>([a, a_rest]: [R; 2], [b, b_rest]: [R; 2], product: R) -> R {
         a_rest * b_rest - (((product - a * b) - a_rest * b) - a * b_rest)
     }
-}
-
-/// A number in two halves whose products are exact (G. W. Veltkamp, 1968).
-#[inline(always)]
-fn split<R: Real>(x: R) -> (R, R) {
-    let large = x * x.like(R::Element::SPLITTER);
-    let half = large - (large - x);
-    (half, x - half)
 }
 
 impl Rounding for Fused {
@@ -128,6 +132,11 @@ impl Rounding for Fused {
     #[inline(always)]
     fn multiply_subtract<R: Real>(a: R, b: R, c: R) -> R {
         a.mul_add(b, -c)
+    }
+    type Parts<R: Real> = R;
+    #[inline(always)]
+    fn parts<R: Real>(x: R) -> R {
+        x
     }
     #[inline(always)]
     fn product_error<R: Real>(a: R, b: R, product: R) -> R {

@@ -192,12 +192,9 @@ pub trait Policy: Copy + 'static {
         let inverse = Self::Division::inverse(scale);
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, inverse), resolve(u, inverse), resolve(v, inverse)];
-        // u and v are shares of a finite determinant; t is bounded by nothing but the bounds times
-        // the determinant, which may overflow.
-        let hit = if Self::Division::BEHIND_TESTS { hit & Self::finite(t) } else { hit };
-        Ok(Found { hit, t, u, v })
+        Ok(Found { hit: Self::reached(hit, t), t, u, v })
     }
-    /// The answer where u and v have a denominator of their own, of any size.
+    /// The answer where u and v have a denominator of their own, which bounds them.
     #[inline(always)]
     fn finish_apart<R: Real>(
         hit: R::Mask,
@@ -210,19 +207,23 @@ pub trait Policy: Copy + 'static {
             (Self::Division::inverse(t_scale), Self::Division::inverse(uv_scale));
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, t_inverse), resolve(u, inverse), resolve(v, inverse)];
-        let hit = if Self::Division::BEHIND_TESTS {
-            hit & Self::finite(t) & Self::finite(u) & Self::finite(v)
-        } else {
-            hit
-        };
-        Ok(Found { hit, t, u, v })
+        Ok(Found { hit: Self::reached(hit, t), t, u, v })
     }
-    /// Where what is reported is finite. Forms that are kept as published do not ask.
+    /// `hit` where t, which passed the test of its range, is finite. Divided last it was tested as a
+    /// numerator; the quotient can overflow, and so can the bounds that are scaled for it.
+    #[inline(always)]
+    fn reached<R: Real>(hit: R::Mask, t: R) -> R::Mask {
+        if !Self::Division::BEHIND_TESTS || Self::Tests::AS_PUBLISHED {
+            hit
+        } else if Self::Span::FROM_ZERO {
+            hit & t.le(t.like(R::Element::MAX))
+        } else {
+            hit & Self::finite(t)
+        }
+    }
+    /// Where a number is finite.
     #[inline(always)]
     fn finite<R: Real>(x: R) -> R::Mask {
-        if Self::Tests::SIGN_BITS || Self::Tests::PRODUCTS {
-            return R::mask(x.token(), true);
-        }
         x.signed_by(x).le(x.like(R::Element::MAX))
     }
 }

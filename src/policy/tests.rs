@@ -11,6 +11,8 @@ pub trait Tests: Copy + 'static {
     const SIGN_BITS: bool;
     /// Signs of products are compared (Chirkov's published form).
     const PRODUCTS: bool;
+    /// What a hit reports need not be finite: the form is kept as it was published.
+    const AS_PUBLISHED: bool = Self::SIGN_BITS || Self::PRODUCTS;
     /// Where `t` is in `[lower, upper]`.
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask;
     /// Where `u` is in `[0, one]`.

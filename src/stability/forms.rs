@@ -16,6 +16,12 @@ pub struct Form {
 }
 
 impl Form {
+    /// A form of the registry.
+    pub fn of(asked: &'static Asked) -> Option<Self> {
+        let precision = Precision::of(asked.axes.precision)?;
+        Some(Form { asked, name: name(asked), precision })
+    }
+
     /// What it reports, and how it rounds.
     pub fn reported(&self) -> Reported {
         Reported {
