@@ -84,6 +84,16 @@ pub(super) fn crowds(figure: &Figure, ours: &[Point]) -> BTreeMap<String, Vec<St
     crowds
 }
 
+/// The series, those first that stand out in some panel: they have the first colours.
+pub(super) fn by_standing_out(
+    mut series: Vec<String>,
+    crowds: &BTreeMap<String, Vec<String>>,
+) -> Vec<String> {
+    let is_crowd = |name: &String| crowds.values().all(|crowd| crowd.contains(name));
+    series.sort_by_key(|name| !crowds.is_empty() && is_crowd(name));
+    series
+}
+
 /// Draws the envelope of a panel: everything below it is shaded.
 pub(super) fn drawn(frame: &mut Frame, plan: &Plan, panel: &str, area: &Area) {
     let mine = plan.envelope.iter().filter(|point| point.panel == panel);

@@ -90,12 +90,9 @@ fn plan(
         Axis::fitted(&ys, TICKS)
     };
     let named: Vec<Point> = all().cloned().collect();
-    let mut series = select::distinct(&named, |point| &point.series);
     let crowds = envelope::crowds(figure, &ours);
-    // Those that stand out somewhere have the first colours.
-    series.sort_by_key(|name| {
-        !crowds.is_empty() && crowds.values().all(|crowd| crowd.contains(name))
-    });
+    let series =
+        envelope::by_standing_out(select::distinct(&named, |point| &point.series), &crowds);
     Ok((Plan { ours, published, envelope, crowds, panels, series, x, y }, hidden))
 }
 

@@ -47,8 +47,8 @@ pub struct UnknownForm {
 }
 
 /// The forms that are asked: without `wanted` the usual form of every kernel, with it those of the
-/// kernels and the forms that it names. Of a watertight kernel every form is usual, since what
-/// makes it watertight is easily lost; and of every usual form the one that flushes subnormal
+/// kernels and the forms that it names. Of a watertight kernel plain and fused forms are usual, and
+/// all treatments of edges, since what makes it watertight is easily lost; and of every usual form the one that flushes subnormal
 /// numbers comes along, for the families that have such.
 ///
 /// # Errors
@@ -98,7 +98,7 @@ fn flushes(form: &Asked) -> bool {
 
 fn is_usual(form: &Asked) -> bool {
     if form.about.watertight && !flushes(form) {
-        return true;
+        return form.axes.division == usual(form).axes.division;
     }
     // What it would be called without flushing.
     let id = form.id();

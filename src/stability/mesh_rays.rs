@@ -183,6 +183,9 @@ impl<'a> Range<'a> {
     }
 
     fn met(&self, query: &Query, aim: &[u32], sees_all: bool) -> Met {
+        // An origin in the surface itself, where rounding has flattened a mesh, is not inside: the
+        // hit at t = 0 is the family `t-zero`.
+        let query = &Query { t_min: f64::MIN_POSITIVE, ..*query };
         let exactly = |triangles: &[u32]| -> Vec<(u32, Class)> {
             let class = |triangle: &u32| (*triangle, classify(&self.against(query, *triangle)));
             triangles.iter().map(class).filter(|(_, class)| class.is_hit()).collect()

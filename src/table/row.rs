@@ -276,7 +276,7 @@ columns! {
     family: String,
     /// Setting of the family's knob.
     knob: Option<f64>,
-    /// What the knob is; k is its setting.
+    /// What the knob is, where the row is about all of its settings; k is one of them.
     knob_name: String,
     /// The form's name in tables and charts: its kernel, and what is unusual about it.
     form: String,
