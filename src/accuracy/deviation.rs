@@ -1,9 +1,10 @@
 //! How far the outputs of one hit are from the exact ones, by every measure.
 
+use super::bits_lost::bits_lost;
 use super::case::Case;
-use super::format::Format;
 use super::judge::Reported;
 use crate::job::Answer;
+use crate::number::Precision;
 
 /// Signed errors of a hit that is one. Those of outputs that are not reported mean nothing.
 #[derive(Clone, Copy, Debug)]
@@ -46,15 +47,15 @@ impl Deviation {
     }
 
     /// Bits lost by t, by u and by v.
-    pub fn bits_lost(case: &Case<'_>, answer: &Answer, format: Format) -> [f64; 3] {
+    pub fn bits_lost(case: &Case<'_>, answer: &Answer, precision: Precision) -> [f64; 3] {
         let exact = case.exact;
         let t = if case.t_scale == 1.0 {
-            format.bits_lost(answer.t, exact.t, exact.t_lo)
+            bits_lost(precision, answer.t, exact.t, exact.t_lo)
         } else {
-            format.bits_lost(answer.t, exact.t * case.t_scale, 0.0)
+            bits_lost(precision, answer.t, exact.t * case.t_scale, 0.0)
         };
-        let u = format.bits_lost(answer.u, exact.u, exact.u_lo);
-        [t, u, format.bits_lost(answer.v, exact.v, exact.v_lo)]
+        let u = bits_lost(precision, answer.u, exact.u, exact.u_lo);
+        [t, u, bits_lost(precision, answer.v, exact.v, exact.v_lo)]
     }
 
     /// Error of t, and the largest of a weight, over what rounding the inputs alone may do

@@ -5,18 +5,18 @@
 
 use super::case::Case;
 use super::deviation::Deviation;
-use super::format::Format;
 use super::judge::Reported;
 use super::samples::Samples;
 use super::summary::Accuracy;
 use super::truth::Truth;
 use crate::job::Answer;
+use crate::number::Precision;
 
 /// Collects answers.
 #[derive(Clone, Debug)]
 pub struct Measures {
     reported: Reported,
-    format: Format,
+    precision: Precision,
     counts: Counts,
     samples: Samples,
 }
@@ -50,8 +50,8 @@ pub(super) enum Compared {
 impl Measures {
     /// None yet.
     pub fn new(reported: Reported) -> Self {
-        let format = Format::of(reported.unit_roundoff);
-        Measures { reported, format, counts: Counts::default(), samples: Samples::default() }
+        let precision = Precision::of_unit_roundoff(reported.unit_roundoff);
+        Measures { reported, precision, counts: Counts::default(), samples: Samples::default() }
     }
 
     /// Takes in the answer to one case.
@@ -86,7 +86,7 @@ impl Measures {
             self.counts.boundary_cases += 1;
         } else {
             self.counts.compared += 1;
-            self.samples.take(case, answer, &deviation, (self.reported, self.format));
+            self.samples.take(case, answer, &deviation, (self.reported, self.precision));
         }
         deviation
     }

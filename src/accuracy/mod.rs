@@ -1,8 +1,8 @@
 //! Answers against the exact ones: what is wrong, what rounding excuses, how large errors are.
 
+mod bits_lost;
 mod case;
 mod deviation;
-mod format;
 mod judge;
 mod measures;
 #[cfg(test)]

@@ -2,11 +2,11 @@
 
 use super::case::Case;
 use super::deviation::Deviation;
-use super::format::Format;
 use super::judge::Reported;
 use super::quantiles::Sorted;
 use super::summary::Accuracy;
 use crate::job::Answer;
+use crate::number::Precision;
 
 /// A value for every hit that is compared, in no particular order.
 #[derive(Clone, Debug, Default)]
@@ -32,10 +32,10 @@ impl Samples {
         case: &Case<'_>,
         answer: &Answer,
         deviation: &Deviation,
-        (reported, format): (Reported, Format),
+        (reported, precision): (Reported, Precision),
     ) {
         let exact = case.exact;
-        let [t_bits, u_bits, v_bits] = Deviation::bits_lost(case, answer, format);
+        let [t_bits, u_bits, v_bits] = Deviation::bits_lost(case, answer, precision);
         let (t_excess, weight_excess) = deviation.excess(case, reported.unit_roundoff);
         let t = deviation.t.abs();
         if reported.t {
@@ -43,7 +43,7 @@ impl Samples {
         }
         if reported.t && t.is_finite() {
             self.t_relative.push(relative(t, exact.t));
-            self.t_ulp.push(t / format.ulp(exact.t));
+            self.t_ulp.push(t / precision.ulp(exact.t, exact.t_lo));
             self.t_excess.push(t_excess);
         }
         if !reported.uv {

@@ -2,9 +2,10 @@
 //! start at zero, points with whiskers take the bars' place.
 
 use super::axis::Axis;
+use super::bar_widths::Widths;
 use super::canvas::{Anchor, Type};
 use super::figure::{Figure, Scale};
-use super::frame::{Frame, MARGIN, SMALL, heading, published_note, title};
+use super::frame::{Frame, MARGIN, SMALL, bound_note, heading, published_note, title};
 use super::palette::{FAINT, GREY, INK, style};
 use super::published::{Measure, Published};
 use super::select::{self, Point, Selection};
@@ -16,14 +17,14 @@ const BAR_GAP: f64 = 3.0;
 const GROUP_GAP: f64 = 11.0;
 const LINE: f64 = 15.0;
 const CATEGORY_LIMIT: f64 = 230.0;
-const SERIES_SIZE: f64 = 11.0;
-const VALUE_SIZE: f64 = 11.0;
+pub(super) const SERIES_SIZE: f64 = 11.0;
+pub(super) const VALUE_SIZE: f64 = 11.0;
 
 /// One category: its label in lines, and which series have a value in it.
-struct Group {
-    name: String,
-    lines: Vec<String>,
-    series: Vec<usize>,
+pub(super) struct Group {
+    pub name: String,
+    pub lines: Vec<String>,
+    pub series: Vec<usize>,
 }
 
 impl Group {
@@ -33,12 +34,12 @@ impl Group {
     }
 }
 
-struct Plan {
-    ours: Vec<Point>,
-    published: Vec<Point>,
-    panels: Vec<String>,
-    series: Vec<String>,
-    groups: Vec<Group>,
+pub(super) struct Plan {
+    pub ours: Vec<Point>,
+    pub published: Vec<Point>,
+    pub panels: Vec<String>,
+    pub series: Vec<String>,
+    pub groups: Vec<Group>,
     axis: Axis,
 }
 
@@ -54,10 +55,7 @@ pub(super) fn draw(
     let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
     if let Some(base) = &figure.normalise_to {
-        let first = select::normalise(&mut ours, base)?;
-        if !theirs.is_empty() {
-            select::normalise(&mut theirs, base)?;
-        }
+        let first = select::normalise_both(&mut ours, &mut theirs, base)?;
         y_title =
             format!("{y_title}, relative to {} at {}", figure.label(base), figure.label(&first));
     }
@@ -69,16 +67,19 @@ pub(super) fn draw(
         ours.retain(|point| point.y > 0.0);
     }
     let before = ours.len() + theirs.len();
-    ours.retain(|point| figure.scale == Scale::Linear || point.y > 0.0);
-    theirs.retain(|point| figure.scale == Scale::Linear || point.y > 0.0);
+    for points in [&mut ours, &mut theirs] {
+        points.retain(|point| figure.scale == Scale::Linear || point.y > 0.0);
+    }
     let hidden = before - ours.len() - theirs.len();
     let plan = plan(figure, panels, ours, theirs)?;
-    let mut notes = vec![selection.source(), published_note(figure), selection.without(&figure.y)];
+    let mut notes = vec![
+        selection.source(),
+        published_note(figure),
+        bound_note(figure),
+        selection.without(&figure.y),
+    ];
     if plan.ours.iter().any(|point| point.interval.is_some()) {
         notes.push(figure.intervals("whiskers"));
-    }
-    if figure.bound.is_some() {
-        notes.push("hollow: none seen; the rate is below with a probability of 95 %".to_owned());
     }
     if hidden > 0 {
         notes.push(format!("values without a place on the axis, not drawn: {hidden}"));
@@ -115,41 +116,6 @@ fn plan(
     };
     let groups = select::distinct(&all, |point| &point.x).into_iter().map(group).collect();
     Ok(Plan { ours, published, panels, series, groups, axis })
-}
-
-/// Widths of the columns: category, series, and per panel plot and value labels.
-struct Widths {
-    category: f64,
-    series: f64,
-    plot: f64,
-    value: f64,
-}
-
-impl Widths {
-    fn new(figure: &Figure, plan: &Plan) -> Self {
-        let lines = plan.groups.iter().flat_map(|group| &group.lines);
-        let category = lines.map(|line| text::width(line, SMALL, true)).fold(0.0, f64::max) + 14.0;
-        // Where the categories are the series (x and series the same column), one name is enough.
-        let shown = plan
-            .groups
-            .iter()
-            .any(|group| group.series.iter().any(|s| plan.series[*s] != group.name));
-        let names =
-            plan.series.iter().map(|name| text::width(&figure.label(name), SERIES_SIZE, false));
-        let series =
-            if plan.series.len() > 1 && shown { names.fold(0.0, f64::max) + 12.0 } else { 0.0 };
-        let all = plan.ours.iter().chain(&plan.published);
-        let value = all
-            .map(|point| text::width(&text::figure(point.y), VALUE_SIZE, false))
-            .fold(0.0, f64::max)
-            + 18.0;
-        let plot = [520.0, 320.0, 240.0, 200.0][plan.panels.len().clamp(1, 4) - 1];
-        Widths { category, series, plot, value }
-    }
-
-    fn panel(&self, index: usize) -> f64 {
-        MARGIN + self.category + self.series + index as f64 * (self.plot + self.value + 10.0)
-    }
 }
 
 fn drawn(
@@ -260,8 +226,8 @@ fn bars(
             let whisker = point.interval.map(|(low, high)| ((at(low), middle), (at(high), middle)));
             end = whisker.map_or(end, |(_, high)| end.max(high.0));
             if plan.axis.has_zero() {
-                let corners = [(at(0.0), middle - BAR / 2.0), (at(point.y), middle + BAR / 2.0)];
-                frame.canvas.bar(corners[0], corners[1], colour);
+                let half = BAR / 2.0;
+                frame.canvas.bar((at(0.0), middle - half), (at(point.y), middle + half), colour);
             }
             if let Some((low, high)) = whisker {
                 frame.canvas.whisker(low, high, 4.0, INK);
@@ -275,12 +241,17 @@ fn bars(
         if let Some(point) = published {
             frame.canvas.hollow(shape, (at(point.y), middle), 4.5, colour);
         }
-        let words = ours.or(published).map_or("–".to_owned(), |point| text::figure(point.y));
-        let is_bound = ours.is_none() && published.is_some() && figure.bound.is_some();
-        let words = if is_bound { format!("< {words}") } else { words };
+        let words = value_words(figure, ours, published);
         let ink = if ours.is_some() { INK } else { GREY };
         frame.canvas.value((end + 7.0, middle), &words, Type::new(VALUE_SIZE, ink));
     }
+}
+
+/// A value, a bound as one, or a dash.
+fn value_words(figure: &Figure, ours: Option<&Point>, published: Option<&Point>) -> String {
+    let words = ours.or(published).map_or("–".to_owned(), |point| text::figure(point.y));
+    let is_bound = ours.is_none() && published.is_some() && figure.bound.is_some();
+    if is_bound { format!("< {words}") } else { words }
 }
 
 fn described(figure: &Figure, plan: &Plan, y_title: &str) -> String {

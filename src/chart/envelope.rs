@@ -18,8 +18,9 @@ pub struct Envelope {
     pub columns: Vec<String>,
     /// What they are multiplied by.
     pub factor: f64,
-    /// Series that nowhere exceed the lowest one, or the envelope where that is higher, by more
-    /// than this factor are the crowd: thin grey lines, named together.
+    /// Series that nowhere exceed the lower quartile of all by more than this factor are the crowd:
+    /// thin grey lines, named together. (The lowest one may owe its place to the few hits that it
+    /// still has.)
     pub crowd: f64,
     /// Upper end of the axis; what is higher is drawn there.
     pub limit: f64,
@@ -58,20 +59,16 @@ pub(super) fn points(figure: &Figure, rows: &[&Row]) -> Vec<Point> {
 }
 
 /// Per panel the series that are in the crowd; none where it would be a single one.
-pub(super) fn crowds(
-    figure: &Figure,
-    ours: &[Point],
-    envelope: &[Point],
-) -> BTreeMap<String, Vec<String>> {
+pub(super) fn crowds(figure: &Figure, ours: &[Point]) -> BTreeMap<String, Vec<String>> {
     let mut crowds: BTreeMap<String, Vec<String>> = BTreeMap::new();
     let Some(settings) = &figure.envelope else { return crowds };
     for panel in super::select::distinct(ours, |point| &point.panel) {
         let of_panel: Vec<&Point> = ours.iter().filter(|point| point.panel == panel).collect();
         let floor = |x: &str| {
-            let lowest = of_panel.iter().filter(|point| point.x == x).map(|point| point.y);
-            let lowest = lowest.fold(f64::INFINITY, f64::min);
-            let same = |point: &&Point| point.panel == panel && point.x == x;
-            envelope.iter().find(same).map_or(lowest, |point| lowest.max(point.y))
+            let here = of_panel.iter().filter(|point| point.x == x).map(|point| point.y);
+            let mut here: Vec<f64> = here.collect();
+            here.sort_unstable_by(f64::total_cmp);
+            here.get(here.len() / 4).copied().unwrap_or(f64::INFINITY)
         };
         let within = |name: &String| {
             let mine = of_panel.iter().filter(|point| point.series == *name);
@@ -85,6 +82,16 @@ pub(super) fn crowds(
         }
     }
     crowds
+}
+
+/// The series, those first that stand out in some panel: they have the first colours.
+pub(super) fn by_standing_out(
+    mut series: Vec<String>,
+    crowds: &BTreeMap<String, Vec<String>>,
+) -> Vec<String> {
+    let is_crowd = |name: &String| crowds.values().all(|crowd| crowd.contains(name));
+    series.sort_by_key(|name| !crowds.is_empty() && is_crowd(name));
+    series
 }
 
 /// Draws the envelope of a panel: everything below it is shaded.

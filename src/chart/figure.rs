@@ -193,36 +193,6 @@ impl Figure {
         if self.kind == Kind::Counts { Ok(()) } else { self.validate_axes() }
     }
 
-    /// Refuses a key that the kind of chart does not look at: it would be silently without effect.
-    fn validate_use(&self) -> Result<(), ChartError> {
-        use Kind::{Bars, Heat, Lines, Precision, Shares};
-        let uses: [(&'static str, bool, &[Kind]); 18] = [
-            ("envelope", self.envelope.is_some(), &[Lines]),
-            ("bound", self.bound.is_some(), &[Bars]),
-            ("shown", self.shown.is_some(), &[Heat]),
-            ("apart", self.apart.is_some(), &[Heat]),
-            ("also", !self.also.is_empty(), &[Bars, Lines]),
-            ("x", !self.x.list().is_empty(), &[Lines, Bars, Shares, Precision, Heat]),
-            ("y", !self.y.is_empty(), &[Lines, Bars, Shares, Precision, Heat]),
-            ("y_below", self.y_below.is_some(), &[Shares]),
-            ("y_below_title", self.y_below_title.is_some(), &[Shares]),
-            ("panels", self.panels.is_some(), &[Lines, Bars, Precision]),
-            ("over", self.over.is_some(), &[Lines, Bars]),
-            ("scale", self.scale == Scale::Log, &[Lines, Bars]),
-            ("x_scale", self.x_scale == Scale::Log, &[Lines]),
-            ("normalise_to", self.normalise_to.is_some(), &[Lines, Bars, Shares]),
-            ("reference", self.reference.is_some(), &[Lines, Bars]),
-            ("x_low", self.x_low.is_some(), &[Precision]),
-            ("x_high", self.x_high.is_some(), &[Precision]),
-            ("errors_from", !self.errors_from.is_empty(), &[Precision]),
-        ];
-        let unused = uses.iter().find(|(_, set, kinds)| *set && !kinds.contains(&self.kind));
-        unused.map_or(Ok(()), |(key, _, kinds)| {
-            let kind = format!("kind {:?}", self.kind).to_lowercase();
-            Err(self.wrong(key, &kind, &format!("{key} with kind {kinds:?}").to_lowercase()))
-        })
-    }
-
     fn validate_axes(&self) -> Result<(), ChartError> {
         self.numeric_column("y", &self.y)?;
         self.also.iter().try_for_each(|column| self.numeric_column("also", column))?;
@@ -273,7 +243,7 @@ impl Figure {
         Err(self.wrong(key, column, &allowed.join(", ")))
     }
 
-    fn wrong(&self, key: &'static str, value: &str, allowed: &str) -> ChartError {
+    pub(super) fn wrong(&self, key: &'static str, value: &str, allowed: &str) -> ChartError {
         let (figure, value, allowed) = (self.file.clone(), value.to_owned(), allowed.to_owned());
         ChartError::Wrong { figure, key, value, allowed }
     }
@@ -296,12 +266,12 @@ impl Figure {
         }
     }
 
-    /// The words shown for a stored value.
+    /// The words shown for a stored value. Parts of it whose words are none are left out.
     pub fn label(&self, value: &str) -> String {
         self.labels.get(value).cloned().unwrap_or_else(|| {
             let parts = value.split(" · ");
             let shown = parts.map(|part| self.labels.get(part).map_or(part, String::as_str));
-            shown.collect::<Vec<_>>().join(" · ")
+            shown.filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" · ")
         })
     }
 }

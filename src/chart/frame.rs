@@ -76,6 +76,14 @@ pub(super) fn published_note(figure: &Figure) -> String {
     }
 }
 
+/// What the footer says of bounds.
+pub(super) fn bound_note(figure: &Figure) -> String {
+    match figure.bound {
+        Some(_) => "hollow: none seen; the rate is below with a probability of 95 %".to_owned(),
+        None => String::new(),
+    }
+}
+
 /// A figure without a drawing that says why there is none.
 pub(super) fn placeholder(figure: &Figure, reason: &str) -> Result<String, ChartError> {
     const WIDTH: f64 = 760.0;

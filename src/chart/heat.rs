@@ -28,15 +28,9 @@ const COLOURS: [RGBColor; 6] = [
 pub(super) fn draw(figure: &Figure, rows: &[Row]) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
     let shares = selection.points(figure, &figure.y)?;
-    let shown = match &figure.shown {
-        Some(column) => match selection.points(figure, column) {
-            Err(ChartError::Nothing(_)) => Vec::new(),
-            other => other?,
-        },
-        None => shares.clone(),
-    };
+    let shown = shown(figure, &selection, &shares)?;
     let columns = select::distinct(&shares, |point| &point.x);
-    let series = ordered(figure, &shares);
+    let (series, gaps) = ordered(figure, &shares, columns.len());
     let names = series.iter().map(|name| text::width(&figure.label(name), SMALL, false));
     let left = MARGIN + names.fold(0.0, f64::max) + 12.0;
     let width = left + columns.len() as f64 * FIELD.0 + MARGIN;
@@ -62,9 +56,25 @@ pub(super) fn draw(figure: &Figure, rows: &[Row]) -> Result<String, ChartError> 
         }
     }
     top = key(&mut frame, figure, left, top + 16.0);
-    let notes = [selection.source(), "– never".to_owned()];
+    let mut notes = vec![selection.source(), "– never".to_owned()];
+    if gaps > 0 {
+        notes.push(format!("with values in less than half of the columns, not drawn: {gaps}"));
+    }
     let described = described(figure, &shares, &series);
     frame.close(figure, top, &notes, &described)
+}
+
+/// The numbers in the fields.
+fn shown(
+    figure: &Figure,
+    selection: &Selection<'_>,
+    shares: &[Point],
+) -> Result<Vec<Point>, ChartError> {
+    let Some(column) = &figure.shown else { return Ok(shares.to_vec()) };
+    match selection.points(figure, column) {
+        Err(ChartError::Nothing(_)) => Ok(Vec::new()),
+        other => other,
+    }
 }
 
 fn named(figure: &Figure, name: &String) -> Type {
@@ -72,9 +82,14 @@ fn named(figure: &Figure, name: &String) -> Type {
     if figure.apart.as_ref() == Some(name) { style.bold() } else { style }
 }
 
-/// The series that stands apart, then the others, the best (the largest mean) first.
-fn ordered(figure: &Figure, shares: &[Point]) -> Vec<String> {
+/// The series that stands apart, then the others, the best (the largest mean) first; and how many
+/// are left out: a line of gaps says nothing beside the others.
+fn ordered(figure: &Figure, shares: &[Point], columns: usize) -> (Vec<String>, usize) {
     let mut series = select::distinct(shares, |point| &point.series);
+    let all = series.len();
+    let fields = |name: &String| shares.iter().filter(|point| point.series == *name).count();
+    series.retain(|name| 2 * fields(name) >= columns);
+    let gaps = all - series.len();
     let mean = |name: &String| {
         let mine = shares.iter().filter(|point| point.series == *name).map(|point| point.y);
         let (sum, count) = mine.fold((0.0, 0.0), |(sum, count), y| (sum + y, count + 1.0));
@@ -82,7 +97,7 @@ fn ordered(figure: &Figure, shares: &[Point]) -> Vec<String> {
     };
     let apart = |name: &String| figure.apart.as_ref() != Some(name);
     series.sort_by(|a, b| apart(a).cmp(&apart(b)).then(mean(b).total_cmp(&mean(a))));
-    series
+    (series, gaps)
 }
 
 /// The columns' names, broken at hyphens; returns where the fields begin.

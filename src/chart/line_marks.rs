@@ -65,14 +65,11 @@ pub(super) fn series_drawn(
         band(frame, plan, area, &of(&plan.ours, name), index);
     }
     for (index, name) in each() {
-        let (colour, shape) = style(index);
-        let theirs = places(&of(&plan.published, name));
-        frame.canvas.dashed(&theirs, colour, 1.0);
-        theirs.iter().for_each(|at| frame.canvas.hollow(shape, *at, 3.8, colour));
+        published_line(frame, &places(&of(&plan.published, name)), index);
     }
-    for (index, name) in each() {
+    each().for_each(|(index, name)| {
         frame.canvas.line(&places(&of(&plan.ours, name)), style(index).0, 1.7);
-    }
+    });
     // Markers of all series over the lines of all series.
     let mut ends = Vec::new();
     for (index, name) in each() {
@@ -89,6 +86,12 @@ pub(super) fn series_drawn(
         ends.push((plan.series.len(), end, false));
     }
     end_labels(frame, figure, plan, panel, area, &ends);
+}
+
+fn published_line(frame: &mut Frame, places: &[(f64, f64)], series: usize) {
+    let (colour, shape) = style(series);
+    frame.canvas.dashed(places, colour, 1.0);
+    places.iter().for_each(|at| frame.canvas.hollow(shape, *at, 3.8, colour));
 }
 
 /// The points of a series in a panel, from left to right.
@@ -135,7 +138,8 @@ fn end_labels(
         frame.canvas.line(&[(end.0 + 6.0, end.1), (at.0 - 6.0, height)], LEADER, 0.8);
         let Some(name) = plan.series.get(*index) else {
             let crowd = plan.crowds.get(panel).map_or(0, Vec::len);
-            let words = format!("{crowd} others, grey");
+            let words = if ends.len() == 1 { "all" } else { "the others" };
+            let words = format!("{words} ({crowd}), grey");
             frame.canvas.text((area.right + LABEL_INDENT, height), &words, Type::new(SMALL, GREY));
             continue;
         };

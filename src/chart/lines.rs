@@ -27,10 +27,7 @@ pub(super) fn draw(
     let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
     if let Some(base) = &figure.normalise_to {
-        let first = select::normalise(&mut ours, base)?;
-        if !theirs.is_empty() {
-            select::normalise(&mut theirs, base)?;
-        }
+        let first = select::normalise_both(&mut ours, &mut theirs, base)?;
         let x = figure.x.list().join(" ").replace('_', " ");
         y_title = format!("{y_title}, relative to {} at {x} {first}", figure.label(base));
     }
@@ -93,8 +90,9 @@ fn plan(
         Axis::fitted(&ys, TICKS)
     };
     let named: Vec<Point> = all().cloned().collect();
-    let series = select::distinct(&named, |point| &point.series);
-    let crowds = envelope::crowds(figure, &ours, &envelope);
+    let crowds = envelope::crowds(figure, &ours);
+    let series =
+        envelope::by_standing_out(select::distinct(&named, |point| &point.series), &crowds);
     Ok((Plan { ours, published, envelope, crowds, panels, series, x, y }, hidden))
 }
 

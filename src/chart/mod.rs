@@ -3,17 +3,21 @@
 //! A figure is described by the `[[figure]]` table of an experiment ([`Figure`]) and drawn from
 //! stored rows alone, so that old results can be drawn again. The same rows give the same bytes.
 
+mod ambiguous;
 mod axis;
+mod bar_widths;
 mod bars;
 mod canvas;
 mod counts;
 mod envelope;
 mod figure;
+mod figure_use;
 mod frame;
 mod heat;
 mod labels;
 mod line_marks;
 mod lines;
+mod normalise;
 mod palette;
 mod precision;
 mod published;

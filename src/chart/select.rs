@@ -1,10 +1,12 @@
 //! From rows to the points of a figure.
 
 use super::ChartError;
+use super::ambiguous::ambiguous;
 use super::figure::{Figure, Names};
+pub(super) use super::normalise::{normalise_both, scale};
 use super::published::{Measure, Published};
 use crate::stats::median;
-use crate::table::{COLUMNS, Cell, Row};
+use crate::table::{Cell, Row};
 use std::collections::BTreeSet;
 
 /// One value to draw.
@@ -218,27 +220,6 @@ fn put_together(point: Point, rows: &[&Row], column: &str) -> Point {
     Point { y, interval, ..point }
 }
 
-fn ambiguous(figure: &Figure, point: &Point, one: &Row, other: &Row) -> ChartError {
-    // Figures differ between any two rows; only what names a row can tell them apart.
-    const NAMING: [&str; 5] = ["density", "triangles", "code", "repeats", "seed"];
-    let names = |column: &&&str| {
-        let text = matches!(one.cell(column), Some(Cell::Text(_)))
-            || matches!(other.cell(column), Some(Cell::Text(_)));
-        (text && **column != "id") || NAMING.contains(*column)
-    };
-    let differing =
-        COLUMNS.iter().filter(names).filter(|column| one.cell(column) != other.cell(column));
-    let differing: Vec<_> = differing.copied().collect();
-    let place = [&point.panel, &point.series, &point.x].map(String::as_str);
-    let place = place.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ");
-    let differing = if differing.is_empty() {
-        "nothing: a row is there twice".to_owned()
-    } else {
-        differing.join(", ")
-    };
-    ChartError::Ambiguous { figure: figure.file.clone(), place, differing }
-}
-
 /// The published points of a figure, named as ours are and in every panel that they belong in.
 pub(super) fn published(
     figure: &Figure,
@@ -262,40 +243,6 @@ pub(super) fn published(
             .collect::<Vec<_>>()
     };
     panels.iter().filter(belongs).flat_map(in_panel).collect()
-}
-
-/// Divides the points of each panel by that of series `base` at its first x: the smallest number,
-/// or the first category. Returns the name of that x.
-pub(super) fn normalise(points: &mut [Point], base: &str) -> Result<String, ChartError> {
-    let mut first_x = String::new();
-    for panel in distinct(points, |point| &point.panel) {
-        let candidates = points.iter().filter(|point| point.panel == panel && point.series == base);
-        let first = candidates.reduce(|first, next| match (first.x_number(), next.x_number()) {
-            (Some(a), Some(b)) if b < a => next,
-            _ => first,
-        });
-        let Some((unit, x)) = first.map(|point| (point.y, point.x.clone())) else {
-            return Err(ChartError::Nothing(format!("there is no value of {base} to divide by")));
-        };
-        if unit == 0.0 {
-            return Err(ChartError::Nothing(format!("the value of {base} to divide by is zero")));
-        }
-        points
-            .iter_mut()
-            .filter(|point| point.panel == panel)
-            .for_each(|point| scale(point, 1.0 / unit));
-        first_x = x;
-    }
-    Ok(first_x)
-}
-
-/// Multiplies a point and its interval.
-pub(super) fn scale(point: &mut Point, factor: f64) {
-    point.y *= factor;
-    point.interval = point.interval.map(|(low, high)| {
-        let (a, b) = (low * factor, high * factor);
-        (a.min(b), a.max(b))
-    });
 }
 
 /// The different values of a name, in the order in which they first appear.

@@ -6,8 +6,8 @@ use super::figure::{Figure, Kind, Names, Scale};
 use crate::table::Row;
 use std::collections::BTreeMap;
 
-/// Series within this factor of what may be expected are drawn together.
-const CROWD: f64 = 4.0;
+/// Series that stay within this factor of the best, a digit, are drawn together.
+const CROWD: f64 = 10.0;
 /// An error of 10 is as wrong as one of 1e20.
 const LIMIT: f64 = 10.0;
 

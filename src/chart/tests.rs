@@ -6,7 +6,9 @@ use std::collections::BTreeMap;
 
 mod boxes;
 mod kinds;
+mod precision;
 mod refused;
+mod stability;
 
 /// A figure from the text of its TOML table.
 fn figure(text: &str) -> Figure {

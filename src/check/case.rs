@@ -1,6 +1,6 @@
 //! One case: a ray and a triangle, as somebody wrote them down.
 
-use super::precision::Precision;
+use crate::number::Precision;
 use crate::oracle::Query;
 
 /// The names of a case's numbers: origin, direction, vertices a, b, c, and the range of t.

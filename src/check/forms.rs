@@ -1,6 +1,6 @@
 //! Which form of a kernel stands for it.
 
-use super::precision::Precision;
+use crate::number::Precision;
 use crate::registry::{Asked, asked};
 
 /// The ids of all kernels that can be asked, in the order of the registry.

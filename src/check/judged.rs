@@ -37,8 +37,8 @@ pub struct Judged {
     pub values: [Option<f64>; 3],
     /// Whether the decision is right.
     pub verdict: Verdict,
-    /// Errors of t, u, v where both are hits, in units in the last place that the *exact* value has
-    /// in the precision. Where that is 0, the unit is the smallest subnormal number.
+    /// Errors of t, u, v where both are hits, in units in the last place of the precision: of the
+    /// *exact* t, and of 1 for u and v, which are shares of 1 and no harder to use near 0.
     pub errors_ulp: [Option<f64>; 3],
     /// Largest error of the weights of a, b and c, absolute: what stays small where u or v is 0.
     pub barycentric_error: Option<f64>,
@@ -62,7 +62,7 @@ impl Judged {
             values,
             verdict: verdict(reply.hit, known.place),
             errors_ulp: std::array::from_fn(|i| {
-                let (exact, rest) = rounded[i];
+                let (exact, rest) = if i == 0 { rounded[0] } else { (1.0, 0.0) };
                 finite(errors[i]?.abs() / known.precision.ulp(exact, rest))
             }),
             barycentric_error: barycentric(errors),

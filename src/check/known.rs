@@ -1,7 +1,7 @@
 //! The exact answer of a case.
 
-use super::precision::Precision;
 use super::segment::Segment;
+use crate::number::Precision;
 use crate::oracle::{Class, Exact, Query, solve};
 
 /// Where the ray meets the triangle: the column `where`.

@@ -11,7 +11,6 @@ mod case;
 mod forms;
 mod judged;
 mod known;
-mod precision;
 #[cfg(feature = "cli")]
 pub mod read;
 mod reply;
@@ -19,9 +18,9 @@ mod segment;
 #[cfg(test)]
 mod tests;
 
+pub use crate::number::Precision;
 pub use case::{Case, NUMBERS, Number};
 pub use forms::{form, kernels};
 pub use judged::{Judged, Verdict};
 pub use known::{Known, Place};
-pub use precision::Precision;
 pub use reply::Reply;

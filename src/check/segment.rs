@@ -1,6 +1,6 @@
 //! A ray as a segment, for kernels that are judged on (origin, end).
 
-use super::precision::{Precision, exponent};
+use crate::number::{Precision, exponent};
 use crate::oracle::Query;
 
 /// A segment along a ray; 1 along the segment is `unit` along the ray.

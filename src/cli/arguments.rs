@@ -170,6 +170,9 @@ pub struct Doctor {
     /// Their size, percent
     #[arg(long, default_value_t = 2.0, hide = true)]
     pub inject: f64,
+    /// Time the exact answers alone, and examine nothing else
+    #[arg(long, hide = true)]
+    pub oracle: bool,
 }
 
 /// `ray_test list`

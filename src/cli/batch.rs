@@ -10,7 +10,8 @@ use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
 use super::{interrupt, lock, progress, unfinished};
 use crate::experiment::{
-    ErrorsWorkload, Experiment, PairsWorkload, Plan, Profile, Workload, pattern_of, run as run_plan,
+    ErrorsWorkload, Experiment, PairsWorkload, Plan, Profile, StiffWorkload, Workload, pattern_of,
+    run as run_plan,
 };
 use crate::measure::Environment;
 use crate::workload::hash::Fnv;
@@ -113,8 +114,10 @@ fn estimate(plan: &Plan, profile: Profile) -> Estimate {
     let clock_free = match &plan.experiment.workload {
         Workload::Codes(codes) => 0.4e-6 * (codes.pairs * plan.variants.len()) as f64,
         Workload::Errors(errors) => of_errors(plan, errors),
-        Workload::Pairs(PairsWorkload { errors: Some(errors), .. }) => {
-            of_errors(plan, errors) + 2e-3 * checked
+        Workload::Pairs(PairsWorkload { errors, stiff, .. }) => {
+            let random = errors.as_ref().map_or(0.0, |errors| of_errors(plan, errors));
+            let stiff = stiff.as_ref().map_or(0.0, |stiff| of_stiff(plan, stiff));
+            random + stiff + 2e-3 * checked + 10e-3 * plan.cells().len() as f64
         }
         _ => 2e-3 * checked + 10e-3 * plan.cells().len() as f64,
     };
@@ -124,6 +127,11 @@ fn estimate(plan: &Plan, profile: Profile) -> Estimate {
 /// Both references; exact answers take as long as some ten forms.
 fn of_errors(plan: &Plan, errors: &ErrorsWorkload) -> f64 {
     1e-6 * (errors.seeds * errors.hits * (2 * plan.variants.len() + 10)) as f64
+}
+
+/// Exact answers take as long as some ten forms.
+fn of_stiff(plan: &Plan, stiff: &StiffWorkload) -> f64 {
+    1e-6 * (stiff.knobs.len() * stiff.cases * (plan.variants.len() + 10)) as f64
 }
 
 fn dry_run(plans: &[Plan], profile: Profile) -> Result<(), Failure> {

@@ -38,7 +38,7 @@ meets the plane. Errors are in units in the last place that the exact value has 
 a u or v of 0 that place is the smallest number there is, and err_barycentric_abs says more.
 non_finite names the outputs of a hit that are NaN or infinite; their cells are empty.
 
-A kernel stands for its single, early form with output tuv: plain rounding, signs compared, its first
+A kernel stands for its single, early form with output tuv: plain rounding, signs compared, its own
 stored form, divided last where it can be. `chirkov` is asked for a segment from the origin to a
 rounded end at least twice as far as the plane, and judged on that.";
 

@@ -9,10 +9,11 @@ use super::failure::Failure;
 use super::instruments::Instruments;
 use super::{interrupt, lock, progress};
 use crate::doctor::{
-    AaTrials, DoctorError, Examination, InjectedTrials, aa_trials, advice, injected_trials,
+    AaTrials, DoctorError, Examination, InjectedTrials, OracleSpeed, aa_trials, advice,
+    injected_trials, oracle_speed,
 };
 use crate::experiment::{KeepNothing, Profile};
-use crate::measure::{Environment, Order};
+use crate::measure::{Environment, Order, WallClock};
 
 const ORDERS: [Order; 3] = [Order::Literal, Order::Fixed, Order::Reshuffled];
 
@@ -33,6 +34,11 @@ pub fn run(arguments: &Doctor) -> Result<(), Failure> {
     }
     let _lock = lock::take()?;
     let (mut instruments, environment) = Instruments::set_up(arguments.pin)?;
+    if arguments.oracle {
+        let speed =
+            oracle_speed(&mut WallClock::new()).map_err(|error| Failure::Runtime(error.into()))?;
+        return print(&of_oracle(&speed), arguments.format);
+    }
     let cancel = interrupt::flag();
     let (mut silent, mut keep) = (|_: usize| {}, KeepNothing);
     let mut bench = instruments.bench(Profile::Quick.rounds(), &mut silent, cancel, &mut keep);
@@ -98,6 +104,22 @@ fn facts(found: &Examination, environment: &Environment) -> Facts {
     put("load_average", json!(found.interference.load_average.map(|load| load[0])));
     put("advice", json!(advice(found, environment).join(" ")));
     facts
+}
+
+/// Decisions a second the exact answer owes: where the filter decides, and in integers.
+const OWED: [f64; 2] = [10e6, 0.5e6];
+
+fn of_oracle(speed: &OracleSpeed) -> Facts {
+    let facts = [
+        ("oracle_filtered_percent", percent(speed.filtered)),
+        ("oracle_pairs_per_second", speed.pairs),
+        ("oracle_pairs_over_owed", speed.pairs / OWED[0]),
+        ("oracle_128_bit_per_second", speed.small_integers),
+        ("oracle_128_bit_over_owed", speed.small_integers / OWED[1]),
+        ("oracle_big_per_second", speed.big_integers),
+        ("oracle_big_over_owed", speed.big_integers / OWED[1]),
+    ];
+    facts.map(|(key, value)| (key.to_owned(), json!(value))).to_vec()
 }
 
 fn percent(share: f64) -> f64 {

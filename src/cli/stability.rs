@@ -79,9 +79,7 @@ pub enum DepthWord {
 /// Checks everything, sweeps, writes rows and figures, prints the summary.
 pub fn run(arguments: &Stability) -> Result<(), Failure> {
     let sweep = sweep(arguments)?;
-    let mut environment = Environment::capture(&mut WallClock::new());
-    let has = |(level, available): (&str, bool)| available.then(|| level.to_owned());
-    environment.levels = levels().into_iter().filter_map(has).collect();
+    let environment = environment();
     let hash = hash(arguments, &environment);
     let folder = Folder::new(arguments.out.as_deref(), hash, environment.clone(), String::new());
     folder.create()?;
@@ -117,6 +115,12 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
         return Err(Failure::Interrupted);
     }
     Ok(())
+}
+
+fn environment() -> Environment {
+    let has = |(level, available): (&str, bool)| available.then(|| level.to_owned());
+    let levels = levels().into_iter().filter_map(has).collect();
+    Environment { levels, ..Environment::capture(&mut WallClock::new()) }
 }
 
 fn sweep(arguments: &Stability) -> Result<Sweep, Failure> {

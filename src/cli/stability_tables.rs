@@ -30,6 +30,9 @@ const COLUMNS: [&str; 21] = [
     "double_hits_per_million",
 ];
 
+/// How the ids of forms that flush subnormal numbers end.
+const FLUSHED: &str = "/subnormals=flushed";
+
 /// Families whose cases have an answer that is known beforehand.
 const SPECIAL: [&str; 5] = ["axis-aligned", "t-zero", "coplanar", "degenerate", "not-finite"];
 
@@ -52,8 +55,9 @@ pub fn text(rows: &[Row]) -> String {
             (
                 "first setting of the knob at which a kernel fails (- never); `ray_test list \
                  families` says what the knobs are",
-                knees(&of),
+                knees(&of, false),
             ),
+            ("the same with subnormal numbers flushed to zero", knees(&of, true)),
             (
                 "rays lost in a million, by what they are aimed at (< bound where none was seen); \
                  hit twice, of rays at vertices",
@@ -101,8 +105,10 @@ fn distinct<'a>(rows: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     names
 }
 
-fn knees(rows: &[&Row]) -> Option<String> {
-    let knees: Vec<&&Row> = rows.iter().filter(|row| row.record == "knee").collect();
+/// The knees of forms that keep subnormal numbers, or of those that flush them.
+fn knees(rows: &[&Row], flushed: bool) -> Option<String> {
+    let is_wanted = |row: &&&Row| row.record == "knee" && row.id.ends_with(FLUSHED) == flushed;
+    let knees: Vec<&&Row> = rows.iter().filter(is_wanted).collect();
     let families = distinct(knees.iter().map(|row| row.family.as_str()));
     let columns: Vec<(String, &str)> =
         families.into_iter().map(|family| (family.replace('-', "\n"), family)).collect();

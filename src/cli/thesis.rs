@@ -148,6 +148,7 @@ fn scene(arguments: &Thesis, count: usize, density: f64) -> Result<Scene, Failur
         orders: vec![arguments.order.value()],
         seconds_of_tests: None,
         errors: None,
+        stiff: None,
     };
     Scene::pairs(&workload, density, arguments.order.value(), arguments.seed)
         .map_err(|error| Failure::Usage(error.to_string()))

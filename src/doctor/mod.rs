@@ -10,6 +10,7 @@
 mod advice;
 mod examination;
 mod noise;
+mod oracle;
 mod predictor;
 mod slowed;
 mod trials;
@@ -18,6 +19,7 @@ mod ward;
 pub use advice::advice;
 pub use examination::Examination;
 pub use noise::{Noise, noise};
+pub use oracle::{OracleSpeed, oracle_speed};
 pub use predictor::{Predictor, predictor};
 pub use slowed::Slowed;
 pub use trials::{AaTrials, InjectedTrials, aa_trials, injected_trials};

@@ -1,5 +1,7 @@
 //! An experiment as a TOML file: its question, why, workload, variants, figures, claims.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 
 use super::workload::Workload;
@@ -38,6 +40,9 @@ pub struct Experiment {
     /// What is drawn.
     #[serde(default)]
     pub figure: Vec<Figure>,
+    /// Words shown for values, in every figure that has no others for them.
+    #[serde(default)]
+    pub labels: BTreeMap<String, String>,
     /// The text that it was read from.
     #[serde(skip)]
     pub text: String,
@@ -61,6 +66,11 @@ impl Experiment {
         let mut experiment: Experiment =
             toml::from_str(text).map_err(|error| wrong(error.to_string()))?;
         experiment.text = text.to_owned();
+        for figure in &mut experiment.figure {
+            for (value, words) in &experiment.labels {
+                figure.labels.entry(value.clone()).or_insert_with(|| words.clone());
+            }
+        }
         experiment.validate().map_err(wrong)?;
         Ok(experiment)
     }

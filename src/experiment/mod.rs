@@ -23,6 +23,7 @@ mod run;
 mod scene;
 mod select;
 mod spread;
+mod stiff;
 mod workload;
 
 pub use bench::Bench;
@@ -36,6 +37,7 @@ pub use run::{Outcome, RunError, Trouble, run};
 pub use scene::{Facts, Scene};
 pub use select::{pattern_of, select};
 pub use spread::on_all_cores;
+pub use stiff::StiffWorkload;
 pub use workload::{
     CodesWorkload, ErrorsWorkload, NearestWorkload, PairsWorkload, PointsWorkload, Workload,
 };

@@ -8,8 +8,8 @@ use super::keep::KeepError;
 use super::plan::Plan;
 use super::rows::put_percent_slower;
 use super::scene::Scene;
-use super::workload::{PairsWorkload, Workload};
-use super::{arithmetic, codes, counts, errors, points, prices};
+use super::workload::Workload;
+use super::{arithmetic, codes, counts, errors, points, prices, stiff};
 use crate::measure::{Order, ProtocolError};
 use crate::table::Row;
 use crate::workload::WorkloadError;
@@ -87,8 +87,16 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
         }
     }
     finish(plan, &mut outcome.rows);
-    if let Workload::Pairs(PairsWorkload { errors: Some(hits), .. }) = &plan.experiment.workload {
-        outcome.rows.extend(errors::rows(id, &plan.variants, hits, seed, bench.cancel));
+    if let Workload::Pairs(pairs) = &plan.experiment.workload {
+        let (variants, cancel) = (&plan.variants, bench.cancel);
+        let random = pairs.errors.as_ref();
+        let stiff = pairs.stiff.as_ref();
+        outcome.rows.extend(
+            random.map_or_else(Vec::new, |hits| errors::rows(id, variants, hits, seed, cancel)),
+        );
+        outcome.rows.extend(
+            stiff.map_or_else(Vec::new, |stiff| stiff::rows(id, variants, stiff, seed, cancel)),
+        );
     }
     outcome.interrupted = bench.cancel.load(Ordering::Relaxed);
     Ok(outcome)

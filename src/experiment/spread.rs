@@ -1,14 +1,15 @@
 //! Work without a clock, spread over all cores.
 
-use std::num::NonZero;
+use crate::measure::{anywhere, run_anywhere};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The results of `work(0)`, `work(1)` ... `work(count - 1)`, in this order, computed by as many
-/// threads as the process may use cores. Never for anything that is timed.
+/// threads as the process may use processors, the one for measuring or not. Never for anything
+/// that is timed: this thread waits.
 pub fn on_all_cores<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let cores = std::thread::available_parallelism().map_or(1, NonZero::get);
     let next = AtomicUsize::new(0);
     let take = || {
+        run_anywhere();
         let mut done = Vec::new();
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
@@ -19,14 +20,13 @@ pub fn on_all_cores<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> 
         }
     };
     let mut done: Vec<(usize, T)> = std::thread::scope(|scope| {
-        let others: Vec<_> = (1..cores.min(count)).map(|_| scope.spawn(take)).collect();
-        let own = take();
-        let joined = others.into_iter().map(|other| match other.join() {
+        let threads: Vec<_> = (0..anywhere().min(count)).map(|_| scope.spawn(take)).collect();
+        let joined = threads.into_iter().map(|thread| match thread.join() {
             Ok(done) => done,
             // The work's own panic goes on in this thread.
             Err(panic) => std::panic::resume_unwind(panic),
         });
-        own.into_iter().chain(joined.flatten()).collect()
+        joined.flatten().collect()
     });
     done.sort_by_key(|(index, _)| *index);
     done.into_iter().map(|(_, result)| result).collect()

@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 
+use super::stiff::StiffWorkload;
 use crate::measure::Order;
 use crate::workload::{self, Generator, NearestSpec, QueryKind, Winding};
 
@@ -53,6 +54,8 @@ pub struct PairsWorkload {
     /// Errors of the same variants on random hits, in rows of their own: pairs that can be timed in
     /// one go are too few for the rarer errors.
     pub errors: Option<ErrorsWorkload>,
+    /// Their errors on stiff families, likewise.
+    pub stiff: Option<StiffWorkload>,
 }
 
 /// Cut into windows, fifteen kernels in turn stay within what a branch predictor remembers.
@@ -169,7 +172,7 @@ impl Workload {
 /// Counts that every machine can hold and no run can take an hour for.
 const MOST: usize = 1 << 24;
 
-fn in_range(key: &str, value: usize, least: usize) -> Result<(), String> {
+pub(super) fn in_range(key: &str, value: usize, least: usize) -> Result<(), String> {
     if (least..=MOST).contains(&value) {
         return Ok(());
     }
@@ -200,6 +203,7 @@ impl PairsWorkload {
             ));
         }
         self.errors.as_ref().map_or(Ok(()), ErrorsWorkload::validate)?;
+        self.stiff.as_ref().map_or(Ok(()), StiffWorkload::validate)?;
         in_range("count", self.count, 1)?;
         in_range("reshuffled_count", self.reshuffled_count, 1)
     }

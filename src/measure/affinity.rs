@@ -4,6 +4,10 @@
 mod system {
     use nix::sched::{CpuSet, sched_getaffinity, sched_setaffinity};
     use nix::unistd::Pid;
+    use std::sync::OnceLock;
+
+    /// Where the process was let run before it chose a processor itself.
+    static BEFORE: OnceLock<Vec<usize>> = OnceLock::new();
 
     /// The calling thread, as these two calls name it.
     const THIS_THREAD: Pid = Pid::from_raw(0);
@@ -22,11 +26,29 @@ mod system {
     /// # Errors
     /// Why the system refuses.
     pub fn run_on(cpus: &[usize]) -> Result<(), String> {
+        if let Ok(allowed) = allowed_cpus() {
+            BEFORE.get_or_init(|| allowed);
+        }
         let mut set = CpuSet::new();
         cpus.iter()
             .try_for_each(|&cpu| set.set(cpu))
             .and_then(|()| sched_setaffinity(THIS_THREAD, &set))
             .map_err(|error| error.to_string())
+    }
+
+    /// Lets the calling thread run wherever the process could at its start, whatever processor was
+    /// chosen for measuring since. For work without a clock.
+    pub fn run_anywhere() {
+        // Where the system refuses, the thread stays where it is, and is only slower.
+        if let Some(cpus) = BEFORE.get() {
+            run_on(cpus).ok();
+        }
+    }
+
+    /// How many processors [`run_anywhere`] lets a thread use.
+    pub fn anywhere() -> usize {
+        let now = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        BEFORE.get().map_or_else(now, Vec::len)
     }
 }
 
@@ -49,10 +71,18 @@ mod system {
     pub fn run_on(_cpus: &[usize]) -> Result<(), String> {
         Err(LINUX_ONLY.to_owned())
     }
+
+    /// Nothing to be done here.
+    pub fn run_anywhere() {}
+
+    /// How many processors there are.
+    pub fn anywhere() -> usize {
+        std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
+    }
 }
 
-pub use system::allowed_cpus;
 pub(super) use system::run_on;
+pub use system::{allowed_cpus, anywhere, run_anywhere};
 
 /// The numbers as the system writes them, such as `0-3,8`; they ascend.
 pub(super) fn list_of(cpus: &[usize]) -> String {
@@ -84,6 +114,11 @@ mod tests {
             let last = *allowed.last().expect("it runs somewhere");
             run_on(&[last]).expect("that one is allowed");
             assert_eq!(allowed_cpus(), Ok(vec![last]));
+            // What a thread inherits, it may leave.
+            let heir = std::thread::spawn(|| (allowed_cpus(), run_anywhere(), allowed_cpus()));
+            let (inherited, (), left) = heir.join().expect("nothing in it fails");
+            assert_eq!(inherited, Ok(vec![last]));
+            assert_eq!(left.map(|cpus| cpus.len()), Ok(anywhere()));
             run_on(&allowed).expect("all are allowed");
             assert_eq!(allowed_cpus(), Ok(allowed));
             assert!(run_on(&[usize::MAX]).is_err());

@@ -41,7 +41,7 @@ mod shuffle;
 mod steadiness;
 mod windows;
 
-pub use affinity::allowed_cpus;
+pub use affinity::{allowed_cpus, anywhere, run_anywhere};
 pub use build_info::BuildInfo;
 pub use chain::{CYCLES_PER_STEP, Chain};
 pub use clock::{Clock, ScriptedClock, TimerFigures, WallClock, timer_figures};

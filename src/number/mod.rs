@@ -15,6 +15,7 @@ mod axis;
 mod counted;
 mod flushed;
 mod lanes;
+mod precision;
 mod scalar;
 mod vector;
 
@@ -22,6 +23,7 @@ pub use axis::{Axis, dominant};
 pub use counted::{Counted, Operations, count};
 pub use flushed::Flushed;
 pub use lanes::{LaneMask, Lanes};
+pub use precision::{Precision, exponent, power_of_two};
 pub use vector::Vec3;
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};

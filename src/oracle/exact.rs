@@ -44,6 +44,30 @@ impl Exact {
     }
 }
 
+/// Who decides the class of a query.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// f64 with a bound on its error.
+    Filter,
+    /// Integers of 128 bits.
+    SmallIntegers,
+    /// Integers of any size.
+    BigIntegers,
+}
+
+/// The stage at which [`classify`] is certain. Input that is not finite needs none of them, and
+/// counts as filtered.
+pub fn stage(query: &Query) -> Stage {
+    let filtered = Filtered::of(query).and_then(|f| f.class(query.t_min, query.t_max)).is_some();
+    if filtered || !query.is_finite() {
+        Stage::Filter
+    } else if Aligned::of(query).fits_i128() {
+        Stage::SmallIntegers
+    } else {
+        Stage::BigIntegers
+    }
+}
+
 /// The class of a query, by the cheapest stage that is certain of it.
 pub fn classify(query: &Query) -> Class {
     match Filtered::of(query).and_then(|f| f.class(query.t_min, query.t_max)) {

@@ -8,9 +8,13 @@ use std::cmp::Ordering;
 pub trait Integer: Sized {
     /// `mantissa * 2^shift`.
     fn scaled(mantissa: i64, shift: u32) -> Self;
-    /// Sum.
-    fn plus(&self, other: &Self) -> Self;
+    /// Sum. By value, like `less` and `negated`: a big integer then keeps its memory.
+    fn plus(self, other: Self) -> Self;
     /// Difference.
+    fn less(self, other: Self) -> Self;
+    /// The other sign.
+    fn negated(self) -> Self;
+    /// Difference of two that are needed further on.
     fn minus(&self, other: &Self) -> Self;
     /// Product.
     fn times(&self, other: &Self) -> Self;
@@ -26,8 +30,14 @@ impl Integer for i128 {
     fn scaled(mantissa: i64, shift: u32) -> Self {
         i128::from(mantissa) << shift
     }
-    fn plus(&self, other: &Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         self + other
+    }
+    fn less(self, other: Self) -> Self {
+        self - other
+    }
+    fn negated(self) -> Self {
+        -self
     }
     fn minus(&self, other: &Self) -> Self {
         self - other
@@ -50,8 +60,14 @@ impl Integer for IBig {
     fn scaled(mantissa: i64, shift: u32) -> Self {
         IBig::from(mantissa) << shift as usize
     }
-    fn plus(&self, other: &Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         self + other
+    }
+    fn less(self, other: Self) -> Self {
+        self - other
+    }
+    fn negated(self) -> Self {
+        -self
     }
     fn minus(&self, other: &Self) -> Self {
         self - other

@@ -41,8 +41,7 @@ impl<I: Integer> Numerators<I> {
         let degenerate = det.sign() == Ordering::Equal
             && cross(&e1, &e2).iter().all(|n| n.sign() == Ordering::Equal);
         let flip = det.sign() == Ordering::Less;
-        let zero = I::scaled(0, 0);
-        let facing = |x: I| if flip { zero.minus(&x) } else { x };
+        let facing = |x: I| if flip { x.negated() } else { x };
         Numerators {
             t_exponent: aligned.t_exponent(),
             degenerate,
@@ -120,11 +119,11 @@ pub fn difference<I: Integer>(a: &[I; 3], b: &[I; 3]) -> [I; 3] {
 
 /// `a x b`.
 pub fn cross<I: Integer>(a: &[I; 3], b: &[I; 3]) -> [I; 3] {
-    let minor = |i: usize, j: usize| a[i].times(&b[j]).minus(&a[j].times(&b[i]));
+    let minor = |i: usize, j: usize| a[i].times(&b[j]).less(a[j].times(&b[i]));
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 /// `a . b`.
 pub fn dot<I: Integer>(a: &[I; 3], b: &[I; 3]) -> I {
-    a[0].times(&b[0]).plus(&a[1].times(&b[1])).plus(&a[2].times(&b[2]))
+    a[0].times(&b[0]).plus(a[1].times(&b[1])).plus(a[2].times(&b[2]))
 }

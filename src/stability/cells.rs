@@ -3,6 +3,7 @@
 use super::draw::Draw;
 use super::family::{Case, Family};
 use super::forms::Form;
+use super::precision::Precision;
 use super::rows;
 use super::sweep::Setting;
 use crate::accuracy::{Accuracy, Measures};
@@ -50,6 +51,18 @@ pub fn rows_of(family: &Family, setting: &Setting, forms: &[Form]) -> Vec<Row> {
         row
     };
     forms.iter().map(row).collect()
+}
+
+/// The rows of one setting of a family of single cases; none of other families.
+pub fn errors_at(
+    family: &Family,
+    knob: f64,
+    precision: Precision,
+    seed: u64,
+    count: usize,
+    forms: &[Form],
+) -> Vec<Row> {
+    rows_of(family, &Setting { precision, knob, seed, count, class: None }, forms)
 }
 
 fn ask(form: &Form, cases: &[Case]) -> Found {

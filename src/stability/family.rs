@@ -143,6 +143,17 @@ pub fn segment_of(query: &Query, draw: &Draw) -> Query {
     Query::segment(query.origin, [end(0), end(1), end(2)], query.triangle)
 }
 
+/// A family of aimed rays.
+pub fn aimed_family(
+    id: &'static str,
+    knob: &'static str,
+    knobs: fn(Precision) -> Vec<f64>,
+    generator: Generator,
+    passes: &'static str,
+) -> Family {
+    Family { id, knob, knobs, work: Work::Aimed(generator), passes }
+}
+
 impl Work {
     /// The word in the column `record`.
     pub fn record(&self) -> &'static str {

@@ -16,6 +16,12 @@ pub struct Form {
 }
 
 impl Form {
+    /// A form of the registry.
+    pub fn of(asked: &'static Asked) -> Option<Self> {
+        let precision = Precision::of(asked.axes.precision)?;
+        Some(Form { asked, name: name(asked), precision })
+    }
+
     /// What it reports, and how it rounds.
     pub fn reported(&self) -> Reported {
         Reported {
@@ -41,8 +47,8 @@ pub struct UnknownForm {
 }
 
 /// The forms that are asked: without `wanted` the usual form of every kernel, with it those of the
-/// kernels and the forms that it names. Of a watertight kernel every form is usual, since what
-/// makes it watertight is easily lost; and of every usual form the one that flushes subnormal
+/// kernels and the forms that it names. Of a watertight kernel plain and fused forms are usual, and
+/// all treatments of edges, since what makes it watertight is easily lost; and of every usual form the one that flushes subnormal
 /// numbers comes along, for the families that have such.
 ///
 /// # Errors
@@ -92,7 +98,7 @@ fn flushes(form: &Asked) -> bool {
 
 fn is_usual(form: &Asked) -> bool {
     if form.about.watertight && !flushes(form) {
-        return true;
+        return form.axes.division == usual(form).axes.division;
     }
     // What it would be called without flushing.
     let id = form.id();

@@ -2,9 +2,9 @@
 //!
 //! A kernel is asked about the triangles around the edge or vertex that a ray is aimed at, about
 //! those that the ray exactly meets, and about the neighbours of these; all others it misses by
-//! far more than rounding can do. That none of the others is met is known where the ring around
-//! the aim holds a whole crossing and the origin sees the front of no triangle (then every ray
-//! crosses once); elsewhere all triangles are searched.
+//! far more than rounding can do. That none of the others is exactly met is known where the ring
+//! around the aim holds a whole crossing and the origin sees the front of no triangle (then every
+//! ray crosses once); elsewhere all triangles are searched.
 
 use super::draw::{Draw, REACH};
 use super::family::{Family, MeshKind, segment_of};
@@ -90,8 +90,8 @@ pub fn rows_of(family: &Family, kind: MeshKind, setting: &Setting, forms: &[Form
             let query = if is_segment { segment_of(&query, &draw) } else { query };
             let met = range.met(&query, &aim, sees_all);
             for (form, tally) in forms.iter().zip(&mut tallies) {
-                if form.asked.is_segment == is_segment {
-                    tally.add(met.crossings, range.hits(form, &query, &met.asked));
+                if form.asked.is_segment == is_segment && met.is_one {
+                    tally.add(range.hits(form, &query, &met.asked));
                 }
             }
         }
@@ -108,21 +108,11 @@ pub fn rows_of(family: &Family, kind: MeshKind, setting: &Setting, forms: &[Form
 
 /// The triangles that matter to a ray.
 struct Met {
-    /// How often the ray exactly crosses the mesh, as far as that is one number.
-    crossings: Crossings,
+    /// Whether the ray exactly leaves the mesh, in one point. Where rounding has made the mesh fold
+    /// over, or has put the origin outside, it does not, and is in no count.
+    is_one: bool,
     /// Those that kernels are asked about.
     asked: Vec<u32>,
-}
-
-/// How a ray exactly meets a closed mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Crossings {
-    /// In no triangle: the origin is not inside, after rounding.
-    None,
-    /// In one point.
-    One,
-    /// In several, or where triangles have collapsed.
-    Several,
 }
 
 impl<'a> Range<'a> {
@@ -193,21 +183,33 @@ impl<'a> Range<'a> {
     }
 
     fn met(&self, query: &Query, aim: &[u32], sees_all: bool) -> Met {
+        // An origin in the surface itself, where rounding has flattened a mesh, is not inside: the
+        // hit at t = 0 is the family `t-zero`.
+        let query = &Query { t_min: f64::MIN_POSITIVE, ..*query };
         let exactly = |triangles: &[u32]| -> Vec<(u32, Class)> {
             let class = |triangle: &u32| (*triangle, classify(&self.against(query, *triangle)));
             triangles.iter().map(class).filter(|(_, class)| class.is_hit()).collect()
         };
         let mut hits = exactly(aim);
-        let whole = crossings(&hits) == Crossings::One;
-        if !(sees_all && whole) {
+        if !(sees_all && is_one_point(&hits)) {
             hits = exactly(&self.near(query));
         }
         let hit: Vec<u32> = hits.iter().map(|(triangle, _)| *triangle).collect();
+        let is_one = is_one_point(&hits) && (sees_all || self.leaves(query, &hit));
         let mut asked = self.with_neighbours(&hit);
         asked.extend(aim);
         asked.sort_unstable();
         asked.dedup();
-        Met { crossings: crossings(&hits), asked }
+        Met { is_one, asked }
+    }
+
+    /// Whether a ray certainly meets the back of each of these: it does not only touch the mesh.
+    fn leaves(&self, query: &Query, triangles: &[u32]) -> bool {
+        let direction = DVec3::from_array(query.direction);
+        triangles.iter().all(|triangle| {
+            let [a, b, c] = self.mesh.corners(*triangle);
+            is_right_handed(direction, b - a, c - a)
+        })
     }
 
     /// The triangles whose ball the ray's line meets, with a margin far above rounding.
@@ -242,25 +244,27 @@ impl<'a> Range<'a> {
 
 /// One point is met in the inside of a triangle, on the edge of two, or at a vertex of three or
 /// more.
-fn crossings(hits: &[(u32, Class)]) -> Crossings {
+fn is_one_point(hits: &[(u32, Class)]) -> bool {
     let count = |class: Class| hits.iter().filter(|(_, other)| *other == class).count();
-    match (count(Class::Interior), count(Class::Edge), count(Class::Vertex)) {
-        (0, 0, 0) => Crossings::None,
-        (1, 0, 0) | (0, 2, 0) | (0, 0, 3..) => Crossings::One,
-        _ => Crossings::Several,
-    }
+    let counts = (count(Class::Interior), count(Class::Edge), count(Class::Vertex));
+    matches!(counts, (1, 0, 0) | (0, 2, 0) | (0, 0, 3..))
 }
 
-/// Whether det(a - o, b - o, c - o) is certainly positive for every triangle: a point that sees
-/// the back of all triangles of a closed mesh sees every one of its points once.
+/// Whether a point certainly sees the back of every triangle: then it is inside, and every ray
+/// from it leaves the mesh once.
 fn sees_all(mesh: &Mesh, from: DVec3) -> bool {
     (0..mesh.triangles.len() as u32).all(|triangle| {
         let [a, b, c] = mesh.corners(triangle).map(|p| p - from);
-        let permanent = a.abs().dot(DVec3::new(
-            (b.y * c.z).abs() + (b.z * c.y).abs(),
-            (b.z * c.x).abs() + (b.x * c.z).abs(),
-            (b.x * c.y).abs() + (b.y * c.x).abs(),
-        ));
-        a.dot(b.cross(c)) > BOUND * permanent
+        is_right_handed(a, b, c)
     })
+}
+
+/// Whether a . (b x c) is positive beyond what rounding can do.
+fn is_right_handed(a: DVec3, b: DVec3, c: DVec3) -> bool {
+    let minors = DVec3::new(
+        (b.y * c.z).abs() + (b.z * c.y).abs(),
+        (b.z * c.x).abs() + (b.x * c.z).abs(),
+        (b.x * c.y).abs() + (b.y * c.x).abs(),
+    );
+    a.dot(b.cross(c)) > BOUND * a.abs().dot(minors)
 }

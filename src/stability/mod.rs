@@ -30,6 +30,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
+pub use cells::errors_at;
 pub use families::{families, find};
 pub use family::Family;
 pub use forms::{Form, UnknownForm, forms, known_words};

@@ -44,7 +44,6 @@ pub fn of_setting(family: &Family, setting: &Setting, form: &Form) -> Row {
         workload: family.id.into(),
         family: family.id.into(),
         knob: Some(setting.knob),
-        knob_name: family.knob.into(),
         seed: Some(setting.seed),
         ..of_form(form)
     }

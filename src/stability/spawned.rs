@@ -59,7 +59,7 @@ fn bounces(draw: &mut Draw, setting: &Setting) -> Vec<Bounce> {
 }
 
 fn put(row: &mut Row, form: &Form, bounces: &[Bounce], draw: &Draw) {
-    let (mut spawned, mut again, mut needed) = (0, 0, None);
+    let (mut spawned, mut again, mut needed) = (0, 0, 0);
     for bounce in bounces {
         let first = posed(form, bounce.query, draw);
         let answer = (form.asked.ask)(&first);
@@ -79,11 +79,12 @@ fn put(row: &mut Row, form: &Form, bounces: &[Bounce], draw: &Draw) {
         let offset = |step: i32| power_of_two(FIRST_OFFSET + step) * rounding;
         let last = (0..OFFSETS).rev().find(|step| hits(offset(*step)));
         // The next step up is the smallest that stopped it.
-        needed = needed.max(Some(last.map_or(0, |step| step + 1)));
+        needed = needed.max(last.map_or(0, |step| step + 1));
     }
     row.cases = Some(spawned);
     row.spawned_hits = Some(again);
-    row.spawned_offset = needed.map(|step| power_of_two(FIRST_OFFSET + step));
+    let is_known = spawned > 0 && needed < OFFSETS;
+    row.spawned_offset = is_known.then(|| power_of_two(FIRST_OFFSET + needed));
 }
 
 fn posed(form: &Form, query: Query, draw: &Draw) -> Query {

@@ -117,10 +117,10 @@ impl Sweep {
     fn seconds_of(&self, (index, setting): &(usize, Setting)) -> f64 {
         let forms = self.forms.iter().filter(|form| form.precision == setting.precision).count();
         let (each, of_form) = match self.families[*index].work {
-            Work::Aimed(_) | Work::Free(_) => (4e-6, 0.25e-6),
-            Work::Mesh(_) => (4e-6, 0.15e-6),
-            Work::Spawned => (1e-6, 0.8e-6),
-            Work::Metamorphic(_) => (0.3e-6, 0.06e-6),
+            Work::Aimed(_) | Work::Free(_) => (10e-6, 0.6e-6),
+            Work::Mesh(_) => (10e-6, 0.4e-6),
+            Work::Spawned => (2.5e-6, 2e-6),
+            Work::Metamorphic(_) => (0.8e-6, 0.15e-6),
         };
         setting.count as f64 * (each + of_form * forms as f64)
     }

@@ -83,7 +83,10 @@ pub(super) fn row(
     place: String,
     cells: &Map<String, Value>,
 ) -> Result<Row, TableError> {
-    if let Some(column) = COLUMNS[..REQUIRED].iter().find(|column| !cells.contains_key(**column)) {
+    // Rows that say what they are about leave out what is empty.
+    let is_sparse = cells.contains_key("record");
+    let missing = |column: &&&str| !is_sparse && !cells.contains_key(**column);
+    if let Some(column) = COLUMNS[..REQUIRED].iter().find(missing) {
         return Err(TableError::MissingColumn { file: path.to_owned(), column });
     }
     let mut row = Row::default();

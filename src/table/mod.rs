@@ -5,6 +5,7 @@
 
 mod cell;
 mod clock;
+mod columns;
 mod csv;
 mod file;
 mod journal;

@@ -1,40 +1,8 @@
 //! One row: one variant on one workload cell, every axis a column, then figures.
 
 use super::cell::{Cell, Field};
+use super::columns::columns;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-
-/// Declares [`Row`], its header and its access by column name from one list, so that the order in
-/// the file, the names and the fields cannot drift apart.
-macro_rules! columns {
-    ($($(#[$doc:meta])* $name:ident: $kind:ty,)*) => {
-        /// One line of `rows.csv`. An empty string and `None` are missing values.
-        #[derive(Clone, Debug, Default, PartialEq)]
-        pub struct Row { $($(#[$doc])* pub $name: $kind,)* }
-
-        /// Every column, in the order of the file.
-        pub const COLUMNS: &[&str] = &[$(stringify!($name)),*];
-
-        impl Row {
-            /// The value in a column; `None` if there is no such column.
-            pub fn cell(&self, column: &str) -> Option<Cell<'_>> {
-                match column {
-                    $(stringify!($name) => Some(self.$name.cell()),)*
-                    _ => None,
-                }
-            }
-
-            /// Puts a value into a column from its text; the error says what is allowed there.
-            /// A column that this version does not know is ignored: a later version may.
-            pub fn set(&mut self, column: &str, text: &str) -> Result<(), &'static str> {
-                match column {
-                    $(stringify!($name) => self.$name = Field::parse(text)?,)*
-                    _ => {}
-                }
-                Ok(())
-            }
-        }
-    };
-}
 
 /// How many of [`COLUMNS`] the contract asks for; a file without one of them is refused.
 pub const REQUIRED: usize = 48;
@@ -308,11 +276,11 @@ columns! {
     family: String,
     /// Setting of the family's knob.
     knob: Option<f64>,
-    /// What the knob is; k is its setting.
+    /// What the knob is, where the row is about all of its settings; k is one of them.
     knob_name: String,
     /// The form's name in tables and charts: its kernel, and what is unusual about it.
     form: String,
-    /// Cases put to the kernel: of rays, those that exactly cross the mesh.
+    /// Cases put to the kernel: of rays, those that exactly leave the mesh in one point.
     cases: Option<u64>,
     /// Cases that are exactly hits.
     exact_hits: Option<u64>,
@@ -330,17 +298,15 @@ columns! {
     hits_of_not_finite: Option<u64>,
     /// What rays are aimed at: `random`, `edge`, `vertex`, `exact edge`, `exact vertex`.
     ray_class: String,
-    /// Rays that exactly cross the mesh in a single point.
-    single_crossings: Option<u64>,
-    /// Rays that exactly cross the mesh and hit no triangle.
+    /// Rays that exactly leave the mesh, and hit no triangle.
     leaks: Option<u64>,
-    /// Single crossings that hit several triangles.
+    /// Rays that exactly leave the mesh, in one point, and hit several triangles.
     double_hits: Option<u64>,
     /// Leaks in a million rays.
     leaks_per_million: Option<f64>,
     /// Where no leak was seen, the rate that they are below with a probability of 95 %.
     leaks_bound_per_million: Option<f64>,
-    /// Double hits in a million single crossings.
+    /// Double hits in a million rays.
     double_hits_per_million: Option<f64>,
     /// First setting of the knob at which the kernel fails; empty where it never does.
     knee: Option<f64>,
@@ -349,7 +315,7 @@ columns! {
     /// Rays from a computed hit point that hit the same triangle again.
     spawned_hits: Option<u64>,
     /// Smallest offset along the normal at which none does, in unit roundoffs of the largest
-    /// coordinate; a power of two.
+    /// coordinate: a power of two. Empty where 2^23 of them do not suffice.
     spawned_offset: Option<f64>,
     /// Decisions that a transformation changed which may change none.
     metamorphic_decisions: Option<u64>,
@@ -366,8 +332,10 @@ impl Serialize for Row {
         let mut map = serializer.serialize_map(None)?;
         for (place, column) in COLUMNS.iter().enumerate() {
             let cell = self.cell(column).unwrap_or(Cell::Missing);
-            // The contract's columns are always there; of ours, an empty one would only take room.
-            if place < REQUIRED || cell != Cell::Missing {
+            // The contract's columns are always there, but for the many rows of a sweep without a
+            // clock, most of which are about a clock. Of ours, an empty one would only take room.
+            let always = place < REQUIRED && self.record.is_empty();
+            if always || cell != Cell::Missing {
                 map.serialize_entry(column, &cell)?;
             }
         }

@@ -38,7 +38,9 @@ fn rows() -> Vec<Row> {
         workload_hash: "f00d".into(),
         ..Row::default()
     };
-    vec![odd, Row::default()]
+    // Of a row that says what it is about, JSON has only what is there.
+    let sparse = Row { record: "cases".into(), knob: Some(3.0), ..Row::default() };
+    vec![odd, Row::default(), sparse]
 }
 
 fn run_file(rows: Vec<Row>) -> RunFile {

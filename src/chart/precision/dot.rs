@@ -14,9 +14,9 @@ const FAR_ERROR: f64 = 100.0;
 /// What is to be thought of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Standing {
-    /// No other is surely better.
+    /// No other of the same precision is surely better.
     Front,
-    /// Some other is surely better.
+    /// Some other of the same precision is surely better.
     Dominated,
     /// So much worse that it is listed, not drawn; in words.
     Apart(String),
@@ -137,7 +137,8 @@ fn twice(figure: &Figure, dots: &[Dot]) -> Result<(), ChartError> {
     }
 }
 
-/// Finds the front of each panel, and what is far behind it.
+/// Finds the front of each precision in each panel, and what is far behind it. Precisions are apart
+/// since memory and lanes choose between them before error and time do.
 fn judge(dots: &mut [Dot]) {
     let standings: Vec<Standing> = dots.iter().map(|dot| standing(dot, dots)).collect();
     for (dot, standing) in dots.iter_mut().zip(standings) {
@@ -146,11 +147,11 @@ fn judge(dots: &mut [Dot]) {
 }
 
 fn standing(dot: &Dot, dots: &[Dot]) -> Standing {
-    let rivals = || dots.iter().filter(|other| other.panel == dot.panel);
-    if !rivals().any(|other| other.dominates(dot)) {
+    let is_rival = |other: &&Dot| other.panel == dot.panel && other.precision == dot.precision;
+    let alike = || dots.iter().filter(is_rival);
+    if !alike().any(|other| other.dominates(dot)) {
         return Standing::Front;
     }
-    let alike = || rivals().filter(|other| other.precision == dot.precision);
     let least = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::INFINITY, f64::min);
     let time = least(&mut alike().filter(|o| o.error <= dot.error).map(|o| o.time));
     let error = least(&mut alike().filter(|o| o.time <= dot.time).map(|o| o.error));

@@ -10,10 +10,11 @@
 //! the column `precision` have one marker each and are joined. With `errors_from`, the errors are
 //! those of other rows with the same id: a chart of times on random data over errors on a stiff
 //! family is drawn from the rows of both experiments in one list, `filter` choosing the times and
-//! `errors_from` the family, for instance `errors_from = { workload = "needle", knob = 4 }`.
+//! `errors_from` the family and one value of its knob, so that each id has one row of errors.
 //!
-//! The front are the points that no other is surely better than (`Dot::dominates`); the steps
-//! go through those of them that are the best of their time.
+//! The front of a precision are the points that no other of it is surely better than
+//! (`Dot::dominates`); the steps go through those of them that are the best of their time. Each
+//! panel has an axis of times of its own, all share that of the errors.
 
 mod dot;
 mod panel;
@@ -42,7 +43,6 @@ struct Plan {
     panels: Vec<String>,
     precisions: Vec<String>,
     x: Errors,
-    y: Axis,
 }
 
 /// Draws the figure.
@@ -51,18 +51,21 @@ pub(super) fn draw(figure: &Figure, rows: &[Row]) -> Result<String, ChartError> 
     let (dots, without) = dots(figure, &selection, rows)?;
     let plan = plan(dots)?;
     let y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
+    let axes: Vec<Times> =
+        plan.panels.iter().map(|panel| Times::of(&plan, panel)).collect::<Result<_, _>>()?;
     let width_of = |(_, words): &(f64, String)| text::width(words, SMALL, false);
-    let left = plan.y.ticks(TICKS).iter().map(width_of).fold(0.0, f64::max) + 10.0;
+    let ticks = axes.iter().flat_map(|axis| &axis.ticks);
+    let left = ticks.map(width_of).fold(0.0, f64::max) + 10.0;
     let mut frame = Frame::new(figure, 2.0 * MARGIN + left + PLOT);
     legend(&mut frame, figure, &plan);
     frame.paragraph(&format!("{y_title} (log scale)"), Type::new(SMALL, GREY));
-    for panel in &plan.panels {
+    for (panel, times) in plan.panels.iter().zip(axes) {
         for words in heading(figure, panel, PLOT) {
             frame.paragraph(&words, Type::new(13.0, INK).bold());
         }
         let top = frame.top + 6.0;
-        let area =
-            Area { left: MARGIN + left, right: MARGIN + left + PLOT, top, bottom: top + HEIGHT };
+        let (left, bottom) = (MARGIN + left, top + HEIGHT);
+        let area = Area { left, right: left + PLOT, top, bottom, times };
         let unnamed = panel::drawn(&mut frame, figure, &plan, panel, &area);
         frame.top = area.bottom + 26.0;
         let x_title = figure.x_title.clone().unwrap_or_else(|| title(&figure.x.list().join(" ")));
@@ -92,12 +95,39 @@ fn plan(dots: Vec<Dot>) -> Result<Plan, ChartError> {
         _ => (dot.error, dot.error),
     };
     let errors: Vec<(f64, f64)> = drawn().map(errors).collect();
-    let times: Vec<f64> = drawn().flat_map(|dot| [dot.times.0, dot.time, dot.times.1]).collect();
-    let none = || ChartError::Nothing("no value is above zero".to_owned());
-    let x = Errors::of(&errors).ok_or_else(none)?;
-    let y = Axis::log(&times).ok_or_else(none)?;
+    let x = Errors::of(&errors).ok_or_else(nothing)?;
     let (panels, precisions) = (distinct(|dot| &dot.panel), distinct(|dot| &dot.precision));
-    Ok(Plan { panels, precisions, x, y, dots })
+    Ok(Plan { panels, precisions, x, dots })
+}
+
+fn nothing() -> ChartError {
+    ChartError::Nothing("no value is above zero".to_owned())
+}
+
+/// The axis of times of a panel.
+struct Times {
+    axis: Axis,
+    ticks: Vec<(f64, String)>,
+}
+
+impl Times {
+    fn of(plan: &Plan, panel: &str) -> Result<Self, ChartError> {
+        let is_drawn =
+            |dot: &&Dot| dot.panel == panel && !matches!(dot.standing, Standing::Apart(_));
+        let dots = plan.dots.iter().filter(is_drawn);
+        let times: Vec<f64> = dots.flat_map(|dot| [dot.times.0, dot.time, dot.times.1]).collect();
+        let axis = Axis::log(&times).ok_or_else(nothing)?;
+        let range = times.iter().fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), time| {
+            (low.min(*time), high.max(*time))
+        });
+        // Within a decade 1, 2 and 5 are too few.
+        let ticks = if range.1 < 8.0 * range.0 {
+            Axis::exact(&[range.0 / 1.1, range.1 * 1.1]).ticks(TICKS)
+        } else {
+            axis.ticks(TICKS)
+        };
+        Ok(Times { axis, ticks })
+    }
 }
 
 /// Marker of a precision.
@@ -118,7 +148,7 @@ fn legend(frame: &mut Frame, figure: &Figure, plan: &Plan) {
         x += 10.0 + text::width(&words, SMALL, false) + 18.0;
     }
     frame.canvas.marker(Shape::Circle, (x, y), 3.6, panel::BEHIND);
-    let words = "another is faster beyond doubt and errs no more";
+    let words = "another of the same precision is faster beyond doubt and errs no more";
     frame.canvas.text((x + 10.0, y), words, Type::new(SMALL, GREY).at(Anchor::Start));
     frame.top += 24.0;
 }
@@ -165,7 +195,7 @@ fn notes(
     if plan.x.has_zero {
         notes.push("errors of 0 stand at the left edge".to_owned());
     }
-    if plan.x.cuts().len() > 0 {
+    if !plan.x.cuts().is_empty() {
         notes.push("// the error axis leaves out decades in which there is nothing".to_owned());
     }
     notes

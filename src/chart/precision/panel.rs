@@ -2,7 +2,7 @@
 
 use super::dot::{Dot, Standing, steps};
 use super::placing::{FAR, Rectangle, Taken};
-use super::{Plan, TICKS, shape};
+use super::{Plan, Times, shape};
 use crate::chart::canvas::{Anchor, Place, Type};
 use crate::chart::figure::Figure;
 use crate::chart::frame::{Frame, SMALL};
@@ -13,6 +13,8 @@ use plotters::style::RGBColor;
 pub(super) const FRONT: RGBColor = RGBColor(0, 114, 178);
 /// Points behind it.
 pub(super) const BEHIND: RGBColor = RGBColor(168, 168, 168);
+const WHISKER: RGBColor = RGBColor(120, 170, 205);
+const STEPS: RGBColor = RGBColor(166, 206, 227);
 const NAME: f64 = 11.5;
 const SMALL_NAME: f64 = 9.5;
 
@@ -22,11 +24,12 @@ pub(super) struct Area {
     pub right: f64,
     pub top: f64,
     pub bottom: f64,
+    pub times: Times,
 }
 
 impl Area {
     fn at(&self, plan: &Plan, error: f64, time: f64) -> Place {
-        (self.across(plan.x.place(error)), self.up(plan.y.place(time)))
+        (self.across(plan.x.place(error)), self.up(self.times.axis.place(time)))
     }
 
     fn across(&self, share: f64) -> f64 {
@@ -52,34 +55,36 @@ pub(super) fn drawn<'a>(
         in_panel.filter(|dot| !matches!(dot.standing, Standing::Apart(_))).collect();
     let (front, behind): (Vec<&Dot>, Vec<&Dot>) =
         dots.iter().partition(|dot| dot.standing == Standing::Front);
-    joins(frame, plan, area, &dots);
-    front_steps(frame, plan, area, &front);
-    front.iter().for_each(|dot| whiskers(frame, plan, area, dot));
-    for (dots, radius, colour) in [(&behind, 3.4, BEHIND), (&front, 4.5, FRONT)] {
-        for dot in dots {
-            let at = area.at(plan, dot.error, dot.time);
-            frame.canvas.marker(shape(plan, &dot.precision), at, radius, colour);
-        }
-    }
     let mut taken = Taken::new(Rectangle {
         left: area.left + 2.0,
         right: area.right - 2.0,
         top: area.top + 2.0,
         bottom: area.bottom - 2.0,
     });
-    taken.keep_off(better(frame, area));
-    for dot in &dots {
-        taken.keep_off(Rectangle::around(area.at(plan, dot.error, dot.time), 5.5, 5.5));
+    joins(frame, plan, area, &dots);
+    for precision in &plan.precisions {
+        let own: Vec<&Dot> =
+            front.iter().copied().filter(|dot| dot.precision == *precision).collect();
+        front_steps(frame, plan, area, &own, &mut taken);
     }
+    front.iter().for_each(|dot| whiskers(frame, plan, area, dot, &mut taken));
+    for (dots, radius, colour) in [(&behind, 3.4, BEHIND), (&front, 4.5, FRONT)] {
+        for dot in dots {
+            let at = area.at(plan, dot.error, dot.time);
+            frame.canvas.marker(shape(plan, &dot.precision), at, radius, colour);
+            taken.keep_off(Rectangle::around(at, 5.5, 5.5));
+        }
+    }
+    taken.keep_off(better(frame, area));
     names(frame, figure, plan, area, (&front, &behind), &mut taken)
 }
 
 fn axes(frame: &mut Frame, plan: &Plan, area: &Area) {
     let style = Type::new(SMALL, GREY);
-    for (value, words) in plan.y.ticks(TICKS) {
-        let y = area.up(plan.y.place(value));
+    for (value, words) in &area.times.ticks {
+        let y = area.up(area.times.axis.place(*value));
         frame.canvas.line(&[(area.left, y), (area.right, y)], FAINT, 1.0);
-        frame.canvas.text((area.left - 8.0, y), &words, style.at(Anchor::End));
+        frame.canvas.text((area.left - 8.0, y), words, style.at(Anchor::End));
     }
     for (share, words) in plan.x.ticks(area.right - area.left, SMALL) {
         let x = area.across(share);
@@ -118,7 +123,7 @@ fn joins(frame: &mut Frame, plan: &Plan, area: &Area, dots: &[&Dot]) {
 
 /// From the fastest point to the most exact one. Between two of them the time of the slower one
 /// must be paid for any error below that of the faster one.
-fn front_steps(frame: &mut Frame, plan: &Plan, area: &Area, front: &[&Dot]) {
+fn front_steps(frame: &mut Frame, plan: &Plan, area: &Area, front: &[&Dot], taken: &mut Taken) {
     let corners = steps(front);
     let mut line: Vec<Place> = Vec::new();
     for (error, time) in corners {
@@ -128,18 +133,18 @@ fn front_steps(frame: &mut Frame, plan: &Plan, area: &Area, front: &[&Dot]) {
         }
         line.push(at);
     }
-    frame.canvas.line(&line, RGBColor(166, 206, 227), 2.2);
+    frame.canvas.line(&line, STEPS, 2.2);
+    line.windows(2).for_each(|ends| taken.keep_off_line(ends[0], ends[1]));
 }
 
-fn whiskers(frame: &mut Frame, plan: &Plan, area: &Area, dot: &Dot) {
-    let colour = RGBColor(120, 170, 205);
-    let (low, high) = dot.times;
-    let ends = [low, high].map(|time| area.at(plan, dot.error, time));
-    frame.canvas.whisker(ends[0], ends[1], 3.0, colour);
-    let (low, high) = dot.errors;
-    if low < high {
-        let ends = [low, high].map(|error| area.at(plan, error, dot.time));
-        frame.canvas.whisker(ends[0], ends[1], 3.0, colour);
+fn whiskers(frame: &mut Frame, plan: &Plan, area: &Area, dot: &Dot, taken: &mut Taken) {
+    let upright = [dot.times.0, dot.times.1].map(|time| area.at(plan, dot.error, time));
+    let level = [dot.errors.0, dot.errors.1].map(|error| area.at(plan, error, dot.time));
+    for [low, high] in [upright, level] {
+        if low != high {
+            frame.canvas.whisker(low, high, 3.0, WHISKER);
+            taken.keep_off_line(low, high);
+        }
     }
 }
 

@@ -47,7 +47,7 @@ pub(super) struct Taken {
 /// From a point to the nearest edge of its label.
 const NEAR: f64 = 7.0;
 /// Beyond this the label needs a line to its point.
-pub(super) const FAR: f64 = 16.0;
+pub(super) const FAR: f64 = 12.0;
 /// Labels are looked for in rings, so far apart, so many.
 const RING: f64 = 9.0;
 const RINGS: usize = 16;
@@ -76,6 +76,16 @@ impl Taken {
     /// Keeps labels off a rectangle.
     pub fn keep_off(&mut self, rectangle: Rectangle) {
         self.taken.push(rectangle);
+    }
+
+    /// Keeps labels off a level or upright line.
+    pub fn keep_off_line(&mut self, from: Place, to: Place) {
+        self.keep_off(Rectangle {
+            left: from.0.min(to.0) - 1.5,
+            right: from.0.max(to.0) + 1.5,
+            top: from.1.min(to.1) - 1.5,
+            bottom: from.1.max(to.1) + 1.5,
+        });
     }
 
     /// Middle of the nearest free place for a label, and its distance from the point; that place is

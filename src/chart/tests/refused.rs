@@ -10,7 +10,7 @@ fn with(rest: &str) -> Figure {
 
 #[test]
 fn without_rows_a_placeholder_says_why() {
-    for kind in ["lines", "bars", "shares", "counts"] {
+    for kind in ["lines", "bars", "shares", "counts", "precision"] {
         let axes = if kind == "counts" { "" } else { "x = \"density\"\ny = \"seconds\"\n" };
         let mut figure = with(&format!("kind = \"{kind}\"\n{axes}"));
         figure.file = format!("placeholder-{kind}");
@@ -53,7 +53,11 @@ fn what_there_is_nothing_to_divide_by_is_said() {
 #[test]
 fn wrong_values_are_named_with_what_is_allowed() {
     let cases = [
-        ("kind = \"counts\"\npanels = \"order\"", "key 'panels': 'kind counts'", "[lines, bars]"),
+        (
+            "kind = \"counts\"\npanels = \"order\"",
+            "key 'panels': 'kind counts'",
+            "[lines, bars, precision]",
+        ),
         ("kind = \"bars\"\nx = \"kernel\"\ny = \"speed\"", "key 'y': 'speed'", "mtests_per_s"),
         ("kind = \"bars\"\nx = \"kernel\"\ny = \"kernel\"", "key 'y': 'kernel'", "ns_per_test"),
         ("kind = \"lines\"\nx = \"kernel\"\ny = \"seconds\"", "key 'x': 'kernel'", "density"),

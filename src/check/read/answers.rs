@@ -81,16 +81,20 @@ impl<C: BufRead, A: BufRead> Answered<C, A> {
 
     /// Tells apart an answer too few, one too many, and another order, by the next of both.
     fn mismatch<T>(&mut self, case: &str, given: &str) -> Result<T, ReadError> {
-        let error = self.answers.0.bad_line(format!(
+        let answers = &self.answers.0;
+        let missing = answers.bad_line(format!("no answer for the case '{case}'"));
+        let superfluous = self.superfluous(given);
+        let order = answers.bad_line(format!(
             "an answer for '{given}' where '{case}' is due; allowed: one answer for each case, in \
              the order of the cases"
         ));
         // What is wrong further on is not what is wrong first.
-        if matches!(self.cases.advance(), Ok(Some(next)) if next.id == given) {
-            return Err(self.answers.0.bad_line(format!("no answer for the case '{case}'")));
-        }
-        let superfluous = self.superfluous(given);
-        let next_is_due = matches!(self.answers.advance(), Ok(Some(next)) if next.id == case);
-        Err(if next_is_due { superfluous } else { error })
+        let given_is_next = matches!(self.cases.advance(), Ok(Some(next)) if next.id == given);
+        let case_is_next = matches!(self.answers.advance(), Ok(Some(next)) if next.id == case);
+        Err(match (given_is_next, case_is_next) {
+            (true, false) => missing,
+            (false, true) => superfluous,
+            _ => order,
+        })
     }
 }

@@ -14,14 +14,14 @@ pub(super) fn families() -> Vec<Family> {
         Family {
             id: "far",
             knob: "distance of triangle and origin from 0: 10^k",
-            knobs: |precision| exponents(precision, (7, 1), (15, 1)),
+            knobs: |precision| exponents(precision, (7, 1), (15, 2)),
             work: Work::Aimed(far),
             passes: "errors as of differences from the triangle's corner, at most 16 roundings' worth",
         },
         Family {
             id: "gis",
             knob: "triangles of 10^(4-k) m at 6.4e6 m from 0",
-            knobs: |precision| exponents(precision, (6, 1), (12, 1)),
+            knobs: |precision| exponents(precision, (6, 1), (12, 2)),
             work: Work::Aimed(gis),
             passes: "errors at most 16 condition numbers of rounding",
         },

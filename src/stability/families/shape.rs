@@ -1,59 +1,42 @@
 //! Triangles of bad shape.
 
 use super::super::draw::{Draw, Pose};
-use super::super::family::{Family, Work};
+use super::super::family::{Family, aimed_family as aimed};
 use super::super::precision::power_of_ten;
 use super::{digits, exponents, single};
 use crate::oracle::Query;
 use glam::DVec3;
 
+const THIN: &str = "u, v as conditioned; t keeps its digits at every aspect";
 const CONDITIONED: &str = "errors at most 16 condition numbers of rounding";
 
 pub(super) fn families() -> Vec<Family> {
     let aspect = "aspect: 10^k";
     vec![
-        Family {
-            id: "benign",
-            knob: "none",
-            knobs: single,
-            work: Work::Aimed(benign),
-            passes: "errors at most 16 condition numbers of rounding, no wrong decision",
-        },
-        Family {
-            id: "needle",
-            knob: aspect,
-            knobs: digits,
-            work: Work::Aimed(needle),
-            passes: "u, v as conditioned; t keeps its digits at every aspect",
-        },
-        Family {
-            id: "cap",
-            knob: aspect,
-            knobs: digits,
-            work: Work::Aimed(cap),
-            passes: "u, v as conditioned; t keeps its digits at every aspect",
-        },
-        Family {
-            id: "sliver",
-            knob: aspect,
-            knobs: |precision| exponents(precision, (7, 1), (15, 2)),
-            work: Work::Aimed(sliver),
-            passes: "as needle; no hit of a triangle that collapsed in rounding",
-        },
-        Family {
-            id: "mixed-scale",
-            knob: "length of one edge: 10^k",
-            knobs: digits,
-            work: Work::Aimed(mixed_scale),
-            passes: CONDITIONED,
-        },
-        Family {
-            id: "compound",
-            knob: "aspect, distance from 0 and 1/cos of the angle to the normal: 10^(k/2) each",
-            knobs: |precision| exponents(precision, (10, 1), (20, 2)),
-            work: Work::Aimed(compound),
-            passes: "no decision wrong beyond 16 condition numbers of rounding",
-        },
+        aimed(
+            "benign",
+            "none",
+            single,
+            benign,
+            "errors at most 16 condition numbers of rounding, no wrong decision",
+        ),
+        aimed("needle", aspect, digits, needle, THIN),
+        aimed("cap", aspect, digits, cap, THIN),
+        aimed(
+            "sliver",
+            aspect,
+            |precision| exponents(precision, (7, 1), (15, 2)),
+            sliver,
+            "as needle; no hit of a triangle that collapsed in rounding",
+        ),
+        aimed("mixed-scale", "length of one edge: 10^k", digits, mixed_scale, CONDITIONED),
+        aimed(
+            "compound",
+            "aspect, distance from 0 and 1/cos of the angle to the normal: 10^(k/2) each",
+            |precision| exponents(precision, (10, 2), (20, 4)),
+            compound,
+            "no decision wrong beyond 16 condition numbers of rounding",
+        ),
     ]
 }
 

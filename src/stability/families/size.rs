@@ -1,7 +1,7 @@
 //! Everything very small or very large.
 
 use super::super::draw::{Draw, REACH};
-use super::super::family::{Family, Work};
+use super::super::family::{Family, aimed_family as aimed};
 use super::super::precision::{Precision, power_of_ten};
 use super::exponents;
 use crate::oracle::Query;
@@ -12,58 +12,52 @@ const INVARIANT: &str =
 
 pub(super) fn families() -> Vec<Family> {
     vec![
-        Family {
-            id: "tiny",
-            knob: "size of triangle and distance: 10^-k",
-            knobs: |precision| exponents(precision, (22, 2), (105, 7)),
-            work: Work::Aimed(tiny),
-            passes: INVARIANT,
-        },
-        Family {
-            id: "subnormal",
-            knob: "size of triangle and distance: 10^-k",
-            knobs: subnormal,
-            work: Work::Aimed(tiny),
-            passes: INVARIANT,
-        },
-        Family {
-            id: "huge",
-            knob: "size of triangle and distance: 10^k",
-            knobs: |precision| exponents(precision, (20, 2), (105, 7)),
-            work: Work::Aimed(huge),
-            passes: INVARIANT,
-        },
-        Family {
-            id: "short-direction",
-            knob: "length of the direction: 10^-k",
-            knobs: |precision| exponents(precision, (36, 4), (105, 7)),
-            work: Work::Aimed(short_direction),
-            passes: INVARIANT,
-        },
-        Family {
-            id: "long-direction",
-            knob: "length of the direction: 10^k",
-            knobs: |precision| exponents(precision, (36, 4), (105, 7)),
-            work: Work::Aimed(long_direction),
-            passes: INVARIANT,
-        },
-        Family {
-            id: "random-exponents",
-            knob: "every coordinate's size between 10^-k and 10^k",
-            knobs: |_| (0..=8).map(f64::from).collect(),
-            work: Work::Aimed(random_exponents),
-            passes: "reported, no pass line",
-        },
+        aimed(
+            "tiny",
+            "size of triangle and distance: 10^-k",
+            |precision| exponents(precision, (22, 2), (105, 15)),
+            tiny,
+            INVARIANT,
+        ),
+        aimed("subnormal", "size of triangle and distance: 10^-k", subnormal, tiny, INVARIANT),
+        aimed(
+            "huge",
+            "size of triangle and distance: 10^k",
+            |precision| exponents(precision, (20, 2), (105, 15)),
+            huge,
+            INVARIANT,
+        ),
+        aimed(
+            "short-direction",
+            "length of the direction: 10^-k",
+            |precision| exponents(precision, (36, 4), (105, 15)),
+            short_direction,
+            INVARIANT,
+        ),
+        aimed(
+            "long-direction",
+            "length of the direction: 10^k",
+            |precision| exponents(precision, (36, 4), (105, 15)),
+            long_direction,
+            INVARIANT,
+        ),
+        aimed(
+            "random-exponents",
+            "every coordinate's size between 10^-k and 10^k",
+            |_| (0..=8).step_by(2).map(f64::from).collect(),
+            random_exponents,
+            "reported, no pass line",
+        ),
     ]
 }
 
 /// Sizes at which the coordinates themselves are subnormal, from the last that are not.
 fn subnormal(precision: Precision) -> Vec<f64> {
     let (first, last) = match precision {
-        Precision::F32 => (37, 44),
-        Precision::F64 => (307, 322),
+        Precision::F32 => (37, 43),
+        Precision::F64 => (307, 319),
     };
-    let step = if precision == Precision::F32 { 1 } else { 3 };
+    let step = if precision == Precision::F32 { 2 } else { 4 };
     (first..=last).step_by(step).map(f64::from).collect()
 }
 
