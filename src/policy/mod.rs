@@ -192,7 +192,7 @@ pub trait Policy: Copy + 'static {
         let inverse = Self::Division::inverse(scale);
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, inverse), resolve(u, inverse), resolve(v, inverse)];
-        Ok(Found { hit: Self::reached(hit, t), t, u, v })
+        Ok(Found { hit: Self::reached(hit, ray, t), t, u, v })
     }
     /// The answer where u and v have a denominator of their own, which bounds them.
     #[inline(always)]
@@ -207,16 +207,17 @@ pub trait Policy: Copy + 'static {
             (Self::Division::inverse(t_scale), Self::Division::inverse(uv_scale));
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, t_inverse), resolve(u, inverse), resolve(v, inverse)];
-        Ok(Found { hit: Self::reached(hit, t), t, u, v })
+        Ok(Found { hit: Self::reached(hit, ray, t), t, u, v })
     }
     /// `hit` where t, which passed the test of its range, is finite. Divided last it was tested as a
-    /// numerator; the quotient can overflow, and so can the bounds that are scaled for it.
+    /// numerator; the quotient can overflow, and so can the bounds that are scaled for it. A search for
+    /// the nearest hit, whose forms are those from zero, compares t with its bound anyhow.
     #[inline(always)]
-    fn reached<R: Real>(hit: R::Mask, t: R) -> R::Mask {
+    fn reached<R: Real>(hit: R::Mask, ray: &Ray<R>, t: R) -> R::Mask {
         if !Self::Division::BEHIND_TESTS || Self::Tests::AS_PUBLISHED {
             hit
         } else if Self::Span::FROM_ZERO {
-            hit & t.le(t.like(R::Element::MAX))
+            hit & t.le(ray.t_max)
         } else {
             hit & Self::finite(t)
         }
