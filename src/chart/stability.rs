@@ -25,11 +25,13 @@ pub fn stability_figures(rows: &[Row]) -> Vec<Figure> {
         if has("leaks") {
             figures.push(leaks(precision));
         }
-        let mut seen: Vec<&str> = Vec::new();
-        for row in rows.iter().filter(|row| row.record == "knee" && row.precision == precision) {
-            if !seen.contains(&row.family.as_str()) {
-                seen.push(&row.family);
-                figures.push(errors(&row.family, &row.knob_name, precision, roundoff));
+        let mut seen: Vec<(&str, &str)> = Vec::new();
+        let is_knee = |row: &&Row| row.record == "knee" && row.precision == precision;
+        // The row of the inputs has no form that keeps or flushes anything.
+        for row in rows.iter().filter(is_knee).filter(|row| !row.kernel.is_empty()) {
+            if !seen.contains(&(&row.family, &row.subnormals)) {
+                seen.push((&row.family, &row.subnormals));
+                figures.push(errors(row, roundoff));
             }
         }
     }
@@ -126,10 +128,15 @@ fn leaks(precision: &str) -> Figure {
     }
 }
 
-fn errors(family: &str, knob: &str, precision: &str, roundoff: f64) -> Figure {
+/// The errors of a family's row, over its knob; forms that flush subnormal numbers apart.
+fn errors(row: &Row, roundoff: f64) -> Figure {
+    let (family, precision, knob) = (&row.family, &row.precision, &row.knob_name);
+    let flushed = row.subnormals == "flushed";
+    let (suffix, note) =
+        if flushed { ("-flushed", ", subnormal numbers flushed to zero") } else { ("", "") };
     let labels = [("err_t_p99_rel", "t, relative error"), ("err_b_p99", "u, v, w, absolute error")];
     Figure {
-        subtitle: format!("{precision}, 99th percentile of the hits"),
+        subtitle: format!("{precision}, 99th percentile of the hits{note}"),
         x: named("knob"),
         x_title: Some(format!("k; {knob}")),
         y: "err_t_p99_rel".to_owned(),
@@ -137,7 +144,12 @@ fn errors(family: &str, knob: &str, precision: &str, roundoff: f64) -> Figure {
         y_title: Some("error".to_owned()),
         series: named("form"),
         scale: Scale::Log,
-        filter: filter(&[("record", "cases"), ("family", family), ("precision", precision)]),
+        filter: filter(&[
+            ("record", "cases"),
+            ("family", family),
+            ("precision", precision),
+            ("subnormals", &row.subnormals),
+        ]),
         envelope: Some(Envelope {
             columns: vec!["kappa_t_p99".to_owned(), "kappa_b_p99".to_owned()],
             factor: roundoff,
@@ -147,7 +159,7 @@ fn errors(family: &str, knob: &str, precision: &str, roundoff: f64) -> Figure {
         }),
         labels: labels.map(|(column, words)| (column.to_owned(), words.to_owned())).into(),
         ..blank(
-            format!("{family}-{precision}"),
+            format!("{family}{suffix}-{precision}"),
             Kind::Lines,
             format!("How wrong do answers get? Family {family}"),
         )

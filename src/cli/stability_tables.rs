@@ -30,9 +30,6 @@ const COLUMNS: [&str; 21] = [
     "double_hits_per_million",
 ];
 
-/// How the ids of forms that flush subnormal numbers end.
-const FLUSHED: &str = "/subnormals=flushed";
-
 /// Families whose cases have an answer that is known beforehand.
 const SPECIAL: [&str; 5] = ["axis-aligned", "t-zero", "coplanar", "degenerate", "not-finite"];
 
@@ -107,7 +104,7 @@ fn distinct<'a>(rows: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 
 /// The knees of forms that keep subnormal numbers, or of those that flush them.
 fn knees(rows: &[&Row], flushed: bool) -> Option<String> {
-    let is_wanted = |row: &&&Row| row.record == "knee" && row.id.ends_with(FLUSHED) == flushed;
+    let is_wanted = |row: &&&Row| row.record == "knee" && (row.subnormals == "flushed") == flushed;
     let knees: Vec<&&Row> = rows.iter().filter(is_wanted).collect();
     let families = distinct(knees.iter().map(|row| row.family.as_str()));
     let columns: Vec<(String, &str)> =

@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn leaks_and_doubles_are_counted() {
         let mut tally = Tally::default();
-        [(0, 0), (1, 0), (2, 1), (1, 0)].map(|hits| tally.add(hits));
+        [(0, 0), (1, 0), (2, 1), (1, 0)].into_iter().for_each(|hits| tally.add(hits));
         let mut row = Row::default();
         tally.put(&mut row);
         assert_eq!((row.cases, row.leaks, row.double_hits), (Some(4), Some(1), Some(1)));

@@ -31,6 +31,8 @@ pub fn of_form(form: &Form) -> Row {
         cull: axes.cull.into(),
         tests_form: axes.tests.into(),
         leading: axes.leading.into(),
+        edges: axes.edges.into(),
+        subnormals: axes.subnormals.into(),
         status: "ok".into(),
         build: BuildInfo::of_this_program().label(),
         ..Row::default()
