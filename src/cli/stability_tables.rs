@@ -127,7 +127,7 @@ fn leaks(rows: &[&Row]) -> Option<String> {
         let class = if column == "twice" { "vertex" } else { column };
         let row = leaks.iter().find(|row| row.form == form && row.ray_class == class);
         let Some(row) = row else { return String::new() };
-        let shown = |value: Option<f64>| value.map_or(String::new(), |value| rounded(value));
+        let shown = |value: Option<f64>| value.map_or(String::new(), rounded);
         match (column, row.leaks_bound_per_million) {
             ("twice", _) => shown(row.double_hits_per_million),
             (_, Some(bound)) => format!("<{}", rounded(bound)),

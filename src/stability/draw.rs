@@ -138,7 +138,7 @@ impl Draw {
         loop {
             let direction = self.direction();
             // A NaN normal, of a triangle without one, lets every direction through.
-            if !(direction.dot(normal).abs() < LEAST_COSINE) {
+            if normal.is_nan() || direction.dot(normal).abs() >= LEAST_COSINE {
                 return direction;
             }
         }

@@ -92,7 +92,11 @@ impl Family {
             match knobs.as_slice() {
                 [] => "none".to_owned(),
                 [only] => format!("{only}"),
-                [first, .., last] => format!("{first} to {last}"),
+                knobs => {
+                    let least = knobs.iter().copied().fold(f64::INFINITY, f64::min);
+                    let most = knobs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                    format!("{least} to {most}")
+                }
             }
         };
         let [narrow, wide] = Precision::ALL.map(of);

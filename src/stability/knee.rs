@@ -40,14 +40,14 @@ pub fn knees(families: &[Family], forms: &[Form], rows: &[Row]) -> Vec<Row> {
                 ..Row::default()
             };
             let exceeds = |row: &Row| inputs_fail(row, precision);
-            knees.push(knee(blank, family, &knobs, &inputs, &exceeds));
+            knees.extend(knee(blank, family, &knobs, &inputs, &exceeds));
             for form in forms.iter().filter(|form| form.precision == precision) {
                 let id = form.asked.id();
                 let mine: Vec<&Row> =
                     of_family.iter().copied().filter(|row| row.id == id).collect();
                 if !mine.is_empty() {
                     let fails = |row: &Row| fails(row, precision);
-                    knees.push(knee(rows::of_form(form), family, &knobs, &mine, &fails));
+                    knees.extend(knee(rows::of_form(form), family, &knobs, &mine, &fails));
                 }
             }
         }
@@ -55,16 +55,20 @@ pub fn knees(families: &[Family], forms: &[Form], rows: &[Row]) -> Vec<Row> {
     knees
 }
 
+/// `None` where a setting is missing: what was interrupted has no knee yet.
 fn knee(
     blank: Row,
     family: &Family,
     knobs: &[f64],
     rows: &[&Row],
     fails: &dyn Fn(&Row) -> bool,
-) -> Row {
+) -> Option<Row> {
     let at = |knob: &f64| rows.iter().find(|row| row.knob == Some(*knob));
+    if !knobs.iter().all(|knob| at(knob).is_some()) {
+        return None;
+    }
     let place = knobs.iter().position(|knob| at(knob).is_some_and(|row| fails(row)));
-    Row {
+    Some(Row {
         record: "knee".into(),
         workload: family.id.into(),
         family: family.id.into(),
@@ -73,7 +77,7 @@ fn knee(
         knee: place.map(|place| knobs[place]),
         knee_share: Some(place.map_or(1.0, |place| place as f64 / knobs.len() as f64)),
         ..blank
-    }
+    })
 }
 
 fn fails(row: &Row, precision: Precision) -> bool {

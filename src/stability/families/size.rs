@@ -97,8 +97,7 @@ fn long_direction(draw: &mut Draw, knob: f64, hit: bool) -> Query {
 /// the powers of two next to 10^-k and 10^k; the ray runs from such a point to a target. pbrt
 /// draws the exponent as a real number, which needs a power function that differs between systems.
 fn random_exponents(draw: &mut Draw, knob: f64, hit: bool) -> Query {
-    // log2(10) to the precision that whole exponents need.
-    let most = (knob * 3.321_928).round() as u64;
+    let most = (knob * std::f64::consts::LOG2_10).round() as u64;
     let mut coordinate = || {
         let exponent = draw.whole(most) as i32;
         draw.sign() * draw.between(1.0, 2.0) * super::super::precision::power_of_two(exponent)
