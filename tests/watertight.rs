@@ -50,7 +50,7 @@ fn mesh(center: f64, times: usize, draw: &mut Pcg) -> (Vec<Point>, Vec<[usize; 3
 /// Rays from near the center, of which two in three are aimed at an edge, the rest at a vertex.
 fn rays(points: &[Point], faces: &[[usize; 3]], center: f64, draw: &mut Pcg) -> Vec<[Point; 2]> {
     let mut rays = Vec::new();
-    let mut unit = |draw: &mut Pcg| draw.below(1 << 24) as f64 / 16_777_216.0;
+    let unit = |draw: &mut Pcg| draw.below(1 << 24) as f64 / 16_777_216.0;
     for i in 0..12_000 {
         let [a, b, _] = faces[draw.below(faces.len() as u64) as usize];
         let share = if i % 3 == 0 { 0.0 } else { unit(draw) };
