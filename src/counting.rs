@@ -4,18 +4,14 @@
 //! prepared per ray, met per triangle and tested is, as for a single ray and a single triangle.
 
 use crate::batch::widened;
-use crate::kernels::listings::{Badouel, ChirkovLine, Listing, Literally, Moller, Placement};
-use crate::kernels::{
-    AngleSum, BadouelCramer, BaldwinWeber, Chirkov, EmbreePlucker, ExactSign, Fallback,
-    FromPositions, FromRows, HalfSpaces, Keidy, KenslerShirley, MollerTrumbore,
-    MollerTrumboreInF64, NoFallback, PerpendicularPlanes, Plucker, Precomputed, Shevtsov,
-    SignedAreas, Vertices, Wald, WithNormal, WoopAffine, WoopWatertight,
-};
+use crate::kernels::listings::{Listing, Literally};
 use crate::number::{Counted, Operations, count};
 use crate::policy::{
     Compare, Division, Early, First, Form, FromZero, Last, Plain, Policy, Tuv, TwoSided,
 };
-use crate::registry::{Offers, corners};
+use crate::registry::{
+    KernelVisitor, ListingVisitor, Offers, corners, visit_kernels, visit_listings,
+};
 use crate::workload::{Ray, Triangle};
 
 /// The exit code of a test (0 is a hit) and the operations that it executed.
@@ -65,36 +61,23 @@ pub struct ExitPath {
 /// Every listing with both outputs, and every kernel's own form: early, from zero, plain, `tuv`.
 pub fn counters() -> Vec<Counter> {
     let mut counters = Vec::new();
-    listing::<Moller<0>>(&mut counters, Placement::AtOnce.division());
-    listing::<Moller<1>>(&mut counters, Placement::AtTheEnd.division());
-    listing::<Moller<2>>(&mut counters, Placement::BeforeTheBranch.division());
-    listing::<Moller<3>>(&mut counters, Placement::BeforeTheBranchWithQ.division());
-    listing::<Badouel>(&mut counters, First::NAME);
-    listing::<ChirkovLine>(&mut counters, Last::NAME);
-    divisions::<MollerTrumbore>(&mut counters);
-    divisions::<KenslerShirley<Vertices>>(&mut counters);
-    divisions::<KenslerShirley<WithNormal>>(&mut counters);
-    divisions::<KenslerShirley<Precomputed>>(&mut counters);
-    divisions::<Shevtsov>(&mut counters);
-    divisions::<BadouelCramer>(&mut counters);
-    divisions::<Wald>(&mut counters);
-    divisions::<Keidy<Vertices>>(&mut counters);
-    divisions::<Keidy<WithNormal>>(&mut counters);
-    divisions::<PerpendicularPlanes>(&mut counters);
-    divisions::<Chirkov>(&mut counters);
-    divisions::<Plucker>(&mut counters);
-    divisions::<HalfSpaces>(&mut counters);
-    divisions::<SignedAreas>(&mut counters);
-    divisions::<AngleSum>(&mut counters);
-    divisions::<WoopWatertight<Fallback>>(&mut counters);
-    divisions::<WoopWatertight<NoFallback>>(&mut counters);
-    divisions::<WoopWatertight<ExactSign>>(&mut counters);
-    divisions::<EmbreePlucker>(&mut counters);
-    divisions::<BaldwinWeber<FromPositions>>(&mut counters);
-    divisions::<BaldwinWeber<FromRows>>(&mut counters);
-    divisions::<WoopAffine>(&mut counters);
-    divisions::<MollerTrumboreInF64>(&mut counters);
+    visit_listings(&mut Counting(&mut counters));
+    visit_kernels(&mut Counting(&mut counters));
     counters
+}
+
+struct Counting<'a>(&'a mut Vec<Counter>);
+
+impl KernelVisitor for Counting<'_> {
+    fn kernel<K: Offers>(&mut self) {
+        divisions::<K>(self.0);
+    }
+}
+
+impl ListingVisitor for Counting<'_> {
+    fn listing<K: Listing>(&mut self, division: &'static str) {
+        listing::<K>(self.0, division);
+    }
 }
 
 /// The number that counts.

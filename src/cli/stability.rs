@@ -15,10 +15,11 @@ use super::folder::Folder;
 use super::show::print;
 use super::{interrupt, progress, stability_tables};
 use crate::chart::{Published, draw, stability_figures};
+use crate::experiment::Watch;
 use crate::level::levels;
 use crate::measure::{Environment, WallClock};
 use crate::stability::{
-    Depth, EXPERIMENT, Family, Outcome, Precision, Sweep, Watch, families, forms, known_words,
+    Depth, EXPERIMENT, Family, Outcome, Precision, Sweep, families, forms, known_words,
 };
 use crate::table::{RunFile, SCHEMA_VERSION, write_atomically, write_csv, write_json};
 use crate::workload::hash::Fnv;

@@ -32,11 +32,12 @@ pub use config::{ConfigError, Experiment};
 pub use distraction::Distraction;
 pub use keep::{Keep, KeepError, KeepNothing};
 pub use plan::{Plan, Profile};
-pub use rows::{of_variant, put_accuracy, put_percent_slower};
+pub use rows::{of_axes, of_variant, put_accuracy, put_percent_slower};
 pub use run::{Outcome, RunError, Trouble, run};
 pub use scene::{Facts, Scene};
 pub use select::{pattern_of, select};
 pub use spread::on_all_cores;
+pub use spread::{Watch, pieces};
 pub use stiff::StiffWorkload;
 pub use workload::{
     CodesWorkload, ErrorsWorkload, NearestWorkload, PairsWorkload, PointsWorkload, Workload,

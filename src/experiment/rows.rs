@@ -4,7 +4,7 @@ use super::scene::Scene;
 use crate::accuracy::Accuracy;
 use crate::job::{Block, Job};
 use crate::measure::{BuildInfo, Figures, GroupReport, Invalid, Order, Status};
-use crate::registry::Variant;
+use crate::registry::{Axes, Variant};
 use crate::stats::Verdict;
 use crate::table::Row;
 use crate::workload::hash::Fnv;
@@ -32,9 +32,14 @@ pub fn blank(experiment: &str, variant: &Variant, scene: &Scene, order: Order) -
 
 /// The columns of a variant alone.
 pub fn of_variant(variant: &Variant) -> Row {
-    let axes = &variant.axes;
+    let bytes_per_triangle = Some(variant.bytes_per_triangle as u64);
+    Row { bytes_per_triangle, ..of_axes(&variant.axes) }
+}
+
+/// The columns of a place on all axes.
+pub fn of_axes(axes: &Axes) -> Row {
     Row {
-        id: variant.id(),
+        id: axes.id(),
         kernel: axes.kernel.into(),
         precision: axes.precision.into(),
         drive: axes.drive.clone(),
@@ -50,7 +55,6 @@ pub fn of_variant(variant: &Variant) -> Row {
         leading: axes.leading.into(),
         edges: axes.edges.into(),
         subnormals: axes.subnormals.into(),
-        bytes_per_triangle: Some(variant.bytes_per_triangle as u64),
         build: BuildInfo::of_this_program().label(),
         ..Row::default()
     }

@@ -4,13 +4,8 @@
 //! levels and full work give the same bits (`tests/lanes`), so nothing of accuracy is left out.
 
 use crate::job::Answer;
-use crate::kernels::listings::{Badouel, ChirkovLine, Listing, Literally, Moller, Placement};
-use crate::kernels::{
-    About, AngleSum, BadouelCramer, BaldwinWeber, Chirkov, Corners, EmbreePlucker, ExactSign,
-    Fallback, FromPositions, FromRows, HalfSpaces, Keidy, KenslerShirley, MollerTrumbore,
-    MollerTrumboreInF64, NoFallback, PerpendicularPlanes, Plucker, Precomputed, Shevtsov,
-    SignedAreas, Vertices, Wald, WithNormal, WoopAffine, WoopWatertight,
-};
+use crate::kernels::listings::{Listing, Literally};
+use crate::kernels::{About, Corners};
 use crate::number::{Element, Flushed, Vec3};
 use crate::oracle::Query;
 use crate::policy::{
@@ -19,7 +14,7 @@ use crate::policy::{
 };
 use std::sync::LazyLock;
 
-use super::{Axes, Offers};
+use super::{Axes, KernelVisitor, ListingVisitor, Offers, visit_kernels, visit_listings};
 
 /// One form of one kernel, to be asked.
 pub struct Asked {
@@ -44,38 +39,25 @@ impl Asked {
 pub fn asked() -> &'static [Asked] {
     static ASKED: LazyLock<Vec<Asked>> = LazyLock::new(|| {
         let mut all = Vec::new();
-        kernel::<MollerTrumbore>(&mut all);
-        kernel::<KenslerShirley<Vertices>>(&mut all);
-        kernel::<KenslerShirley<WithNormal>>(&mut all);
-        kernel::<KenslerShirley<Precomputed>>(&mut all);
-        kernel::<Shevtsov>(&mut all);
-        kernel::<BadouelCramer>(&mut all);
-        kernel::<Wald>(&mut all);
-        kernel::<Keidy<Vertices>>(&mut all);
-        kernel::<Keidy<WithNormal>>(&mut all);
-        kernel::<PerpendicularPlanes>(&mut all);
-        kernel::<Chirkov>(&mut all);
-        kernel::<Plucker>(&mut all);
-        kernel::<HalfSpaces>(&mut all);
-        kernel::<SignedAreas>(&mut all);
-        kernel::<AngleSum>(&mut all);
-        kernel::<WoopWatertight<Fallback>>(&mut all);
-        kernel::<WoopWatertight<NoFallback>>(&mut all);
-        kernel::<WoopWatertight<ExactSign>>(&mut all);
-        kernel::<EmbreePlucker>(&mut all);
-        kernel::<BaldwinWeber<FromPositions>>(&mut all);
-        kernel::<BaldwinWeber<FromRows>>(&mut all);
-        kernel::<WoopAffine>(&mut all);
-        kernel::<MollerTrumboreInF64>(&mut all);
-        listing::<Moller<0>>(&mut all, Placement::AtOnce.division());
-        listing::<Moller<1>>(&mut all, Placement::AtTheEnd.division());
-        listing::<Moller<2>>(&mut all, Placement::BeforeTheBranch.division());
-        listing::<Moller<3>>(&mut all, Placement::BeforeTheBranchWithQ.division());
-        listing::<Badouel>(&mut all, First::NAME);
-        listing::<ChirkovLine>(&mut all, Last::NAME);
+        visit_kernels(&mut Asking(&mut all));
+        visit_listings(&mut Asking(&mut all));
         all
     });
     &ASKED
+}
+
+struct Asking<'a>(&'a mut Vec<Asked>);
+
+impl KernelVisitor for Asking<'_> {
+    fn kernel<K: Offers>(&mut self) {
+        kernel::<K>(self.0);
+    }
+}
+
+impl ListingVisitor for Asking<'_> {
+    fn listing<K: Listing>(&mut self, division: &'static str) {
+        listing::<K>(self.0, division);
+    }
 }
 
 fn kernel<K: Offers>(all: &mut Vec<Asked>) {

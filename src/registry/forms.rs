@@ -1,12 +1,7 @@
 //! The product of the axes, readable from top to bottom: one small generic function per axis.
 
 use crate::batch::{Nearest, NearestLoop, Pairs, PairsLoop};
-use crate::kernels::{
-    AngleSum, BadouelCramer, BaldwinWeber, Chirkov, EmbreePlucker, ExactSign, Fallback,
-    FromPositions, FromRows, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore,
-    MollerTrumboreInF64, NoFallback, PerpendicularPlanes, Plucker, Precomputed, Shevtsov,
-    SignedAreas, Vertices, Wald, WithNormal, WoopAffine, WoopWatertight,
-};
+use crate::kernels::{Kernel, MollerTrumbore};
 use crate::level::{self, Level, On, enter};
 use crate::number::Element;
 use crate::policy::{
@@ -15,33 +10,24 @@ use crate::policy::{
     Tests, Tuv, TwoSided,
 };
 
-use super::{Axes, Offers, Other, Variant, bind_nearest, bind_pairs, edges};
+use super::{
+    Axes, KernelVisitor, Offers, Other, Variant, bind_nearest, bind_pairs, edges, visit_kernels,
+};
 
 /// Every kernel in every form.
 pub fn all(v: &mut Vec<Variant>) {
-    kernel::<MollerTrumbore>(v);
-    kernel::<KenslerShirley<Vertices>>(v);
-    kernel::<KenslerShirley<WithNormal>>(v);
-    kernel::<KenslerShirley<Precomputed>>(v);
-    kernel::<Shevtsov>(v);
-    kernel::<BadouelCramer>(v);
-    kernel::<Wald>(v);
-    kernel::<Keidy<Vertices>>(v);
-    kernel::<Keidy<WithNormal>>(v);
-    kernel::<PerpendicularPlanes>(v);
-    kernel::<Chirkov>(v);
-    kernel::<Plucker>(v);
-    kernel::<HalfSpaces>(v);
-    kernel::<SignedAreas>(v);
-    kernel::<AngleSum>(v);
-    kernel::<WoopWatertight<Fallback>>(v);
-    edges::all::<WoopWatertight<NoFallback>>(v);
-    edges::all::<WoopWatertight<ExactSign>>(v);
-    kernel::<EmbreePlucker>(v);
-    kernel::<BaldwinWeber<FromPositions>>(v);
-    kernel::<BaldwinWeber<FromRows>>(v);
-    kernel::<WoopAffine>(v);
-    kernel::<MollerTrumboreInF64>(v);
+    visit_kernels(&mut Timed(v));
+}
+
+struct Timed<'a>(&'a mut Vec<Variant>);
+
+impl KernelVisitor for Timed<'_> {
+    fn kernel<K: Offers>(&mut self) {
+        kernel::<K>(self.0);
+    }
+    fn other_edges<K: Offers>(&mut self) {
+        edges::all::<K>(self.0);
+    }
 }
 
 /// The levels and the numbers that each of them has natively.

@@ -9,21 +9,24 @@ use crate::level::{self, Level, On, enter};
 use crate::number::Element;
 use crate::policy::Ray;
 
-use super::{Axes, Variant, bind_pairs};
+use super::{Axes, ListingVisitor, Variant, bind_pairs, visit_listings};
 
 #[cfg(target_arch = "x86_64")]
 type Base = level::Sse2;
 #[cfg(target_arch = "aarch64")]
 type Base = level::Neon;
 
+struct Timed<'a>(&'a mut Vec<Variant>);
+
+impl ListingVisitor for Timed<'_> {
+    fn listing<K: Listing>(&mut self, division: &'static str) {
+        levels::<K>(self.0, division);
+    }
+}
+
 /// Every listing.
 pub fn all(v: &mut Vec<Variant>) {
-    levels::<Moller<0>>(v, Placement::AtOnce.division());
-    levels::<Moller<1>>(v, Placement::AtTheEnd.division());
-    levels::<Moller<2>>(v, Placement::BeforeTheBranch.division());
-    levels::<Moller<3>>(v, Placement::BeforeTheBranchWithQ.division());
-    levels::<Badouel>(v, "first");
-    levels::<ChirkovLine>(v, "last");
+    visit_listings(&mut Timed(v));
     price::<Moller<1>, DOT>(v, "last");
     price::<Moller<1>, CROSS>(v, "last");
     price::<Moller<1>, DIFFERENCE>(v, "last");

@@ -4,6 +4,7 @@ mod arithmetic;
 mod asked;
 mod axes;
 mod edges;
+mod every;
 mod forms;
 mod listings;
 mod offers;
@@ -12,6 +13,7 @@ mod points;
 pub use arithmetic::{Unit, units};
 pub use asked::{Asked, asked};
 pub use axes::{Axes, COLUMNS};
+pub use every::{KernelVisitor, ListingVisitor, visit_kernels, visit_listings};
 pub use offers::{Offers, Other};
 
 use std::sync::LazyLock;

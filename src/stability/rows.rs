@@ -4,8 +4,7 @@ use super::cells::{Conditioning, Found};
 use super::family::Family;
 use super::forms::Form;
 use super::sweep::Setting;
-use crate::experiment::put_accuracy;
-use crate::measure::BuildInfo;
+use crate::experiment::{of_axes, put_accuracy};
 use crate::table::Row;
 
 /// The value of the column `experiment`, and the folder of the results.
@@ -13,29 +12,11 @@ pub const EXPERIMENT: &str = "stability";
 
 /// The columns of a form alone.
 pub fn of_form(form: &Form) -> Row {
-    let axes = &form.asked.axes;
     Row {
         experiment: EXPERIMENT.into(),
-        id: form.asked.id(),
         form: form.name.clone(),
-        kernel: axes.kernel.into(),
-        precision: axes.precision.into(),
-        drive: axes.drive.clone(),
-        level: axes.level.into(),
-        exit: axes.exit.into(),
-        division: axes.division.into(),
-        rounding: axes.rounding.into(),
-        output: axes.output.into(),
-        layout: axes.layout.into(),
-        stored: axes.stored.into(),
-        cull: axes.cull.into(),
-        tests_form: axes.tests.into(),
-        leading: axes.leading.into(),
-        edges: axes.edges.into(),
-        subnormals: axes.subnormals.into(),
         status: "ok".into(),
-        build: BuildInfo::of_this_program().label(),
-        ..Row::default()
+        ..of_axes(&form.asked.axes)
     }
 }
 

@@ -3,9 +3,9 @@
 use super::family::{Family, Work};
 use super::forms::Form;
 use super::mesh_rays::RayClass;
-use super::parallel::{Watch, pieces};
 use super::precision::Precision;
 use super::{cells, knee, mesh_rays, metamorphic, spawned};
+use crate::experiment::{Watch, pieces};
 use crate::table::Row;
 
 /// How much is drawn.

@@ -11,19 +11,14 @@ mod probe;
 use std::any::type_name;
 use std::collections::BTreeMap;
 
-use ray_test::kernels::{
-    BadouelCramer, BaldwinWeber, Chirkov, EmbreePlucker, ExactSign, Fallback, FromPositions,
-    FromRows, HalfSpaces, Keidy, KenslerShirley, Kernel, MollerTrumbore, NoFallback,
-    PerpendicularPlanes, Plucker, Precomputed, Shevtsov, SignedAreas, Vertices, Wald, WithNormal,
-    WoopAffine, WoopWatertight,
-};
+use ray_test::kernels::Kernel;
 use ray_test::level::{self, Level, On, enter};
 use ray_test::number::{Element, Lanes, Real};
 use ray_test::policy::{
     Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused,
     Last, Leading, Plain, Policy, Products, Rounding, SignBits, Span, Tests, Tuv, TwoSided,
 };
-use ray_test::registry::{Offers, Other};
+use ray_test::registry::{KernelVisitor, Offers, Other, visit_kernels};
 
 use packets::{FAMILIES, Packet, packets};
 use probe::{Probe, judge, scalar};
@@ -36,6 +31,14 @@ struct Law {
     levels: BTreeMap<&'static str, Option<usize>>,
     /// Per family: the sums of [`judge`].
     families: BTreeMap<&'static str, [usize; 4]>,
+}
+
+impl KernelVisitor for Law {
+    fn kernel<K: Offers>(&mut self) {
+        if K::PACKETS {
+            kernel::<K>(self);
+        }
+    }
 }
 
 /// Which packets an element type has.
@@ -199,27 +202,7 @@ fn lanes_agree_bit_for_bit() {
         levels: BTreeMap::new(),
         families: BTreeMap::new(),
     };
-    kernel::<MollerTrumbore>(&mut law);
-    kernel::<KenslerShirley<Vertices>>(&mut law);
-    kernel::<KenslerShirley<WithNormal>>(&mut law);
-    kernel::<KenslerShirley<Precomputed>>(&mut law);
-    kernel::<Shevtsov>(&mut law);
-    kernel::<BadouelCramer>(&mut law);
-    kernel::<Wald>(&mut law);
-    kernel::<Keidy<Vertices>>(&mut law);
-    kernel::<Keidy<WithNormal>>(&mut law);
-    kernel::<PerpendicularPlanes>(&mut law);
-    kernel::<Chirkov>(&mut law);
-    kernel::<Plucker>(&mut law);
-    kernel::<HalfSpaces>(&mut law);
-    kernel::<SignedAreas>(&mut law);
-    kernel::<WoopWatertight<Fallback>>(&mut law);
-    kernel::<WoopWatertight<NoFallback>>(&mut law);
-    kernel::<WoopWatertight<ExactSign>>(&mut law);
-    kernel::<EmbreePlucker>(&mut law);
-    kernel::<BaldwinWeber<FromPositions>>(&mut law);
-    kernel::<BaldwinWeber<FromRows>>(&mut law);
-    kernel::<WoopAffine>(&mut law);
+    visit_kernels(&mut law);
 
     let skipped = law.levels.iter().filter(|(_, forms)| forms.is_none()).count();
     for (level, forms) in &law.levels {
