@@ -7,6 +7,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use super::baseline::Baselines;
 use super::check::{self, Check};
 use super::compare::Compare;
+use super::slips::slip;
 use super::stability::{self, Stability};
 use crate::experiment::Profile;
 use crate::measure::{Order, Pin};
@@ -261,27 +262,6 @@ words! {
     }
 }
 
-/// Words that are verbs of this program, now or in a later version: a lone one that is close to
-/// them is a slip, not a density.
-const VERBS: [&str; 13] = [
-    "run",
-    "reproduce",
-    "list",
-    "check",
-    "stability",
-    "compare",
-    "report",
-    "scene",
-    "render",
-    "recommend",
-    "doctor",
-    "completions",
-    "help",
-];
-
-/// How alike two words must be to be taken for a slip (Jaro-Winkler, 1 is equal).
-const ALIKE: f64 = 0.85;
-
 /// Parses the process's arguments.
 ///
 /// # Errors
@@ -295,20 +275,4 @@ pub fn parse() -> Result<Arguments, clap::Error> {
         return Err(Arguments::command().error(clap::error::ErrorKind::InvalidSubcommand, message));
     }
     Ok(arguments)
-}
-
-/// What to say of a word that is meant as a verb; `None` for densities and other words.
-fn slip(word: &str) -> Option<String> {
-    if word.parse::<f64>().is_ok() || word == "all" {
-        return None;
-    }
-    let here = ["run", "reproduce", "doctor", "list", "compare", "stability", "check", "help"];
-    let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
-    if VERBS.contains(&word) && !here.contains(&word) {
-        let known = known.join(", ");
-        return Some(format!("'{word}' is not in this version; allowed: {known}, or a DENSITY"));
-    }
-    let alike = |verb: &&str| strsim::jaro_winkler(word, verb);
-    let best = VERBS.into_iter().max_by(|a, b| alike(a).total_cmp(&alike(b)))?;
-    (alike(&best) >= ALIKE).then(|| format!("unrecognized verb '{word}'; did you mean '{best}'?"))
 }

@@ -20,6 +20,7 @@ mod lock;
 mod progress;
 mod show;
 mod slices;
+mod slips;
 mod stability;
 mod stability_tables;
 mod thesis;
