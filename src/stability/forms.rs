@@ -47,9 +47,11 @@ pub struct UnknownForm {
 }
 
 /// The forms that are asked: without `wanted` the usual form of every kernel, with it those of the
-/// kernels and the forms that it names. Of a watertight kernel plain and fused forms are usual, and
-/// all treatments of edges, since what makes it watertight is easily lost; and of every usual form the one that flushes subnormal
-/// numbers comes along, for the families that have such.
+/// kernels and the forms that it names.
+///
+/// Of a watertight kernel plain and fused forms are usual, and all treatments of edges, since what
+/// makes it watertight is easily lost. Of every usual form the one that flushes subnormal numbers
+/// comes along, for the families that have such.
 ///
 /// # Errors
 /// The first word that is neither a kernel's id nor a form's.

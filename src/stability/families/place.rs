@@ -16,7 +16,7 @@ pub(super) fn families() -> Vec<Family> {
             knob: "distance of triangle and origin from 0: 10^k",
             knobs: |precision| exponents(precision, (7, 1), (15, 2)),
             work: Work::Aimed(far),
-            passes: "errors as of differences from the triangle's corner, at most 16 roundings' worth",
+            passes: "errors at most 16 roundings of differences from a vertex",
         },
         Family {
             id: "gis",
