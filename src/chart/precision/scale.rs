@@ -86,7 +86,7 @@ impl Errors {
 /// The ranges put together where they are less than [`EMPTY_DECADES`] apart, in rising order.
 fn runs(ranges: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let above = |(low, high): &(f64, f64)| {
-        (*high > 0.0).then(|| (if *low > 0.0 { *low } else { *high }, *high))
+        (*high > 0.0).then_some((if *low > 0.0 { *low } else { *high }, *high))
     };
     let mut ranges: Vec<(f64, f64)> = ranges.iter().filter_map(above).collect();
     ranges.sort_by(|a, b| a.0.total_cmp(&b.0));
