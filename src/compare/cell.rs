@@ -6,7 +6,7 @@ use super::side::Side;
 use crate::table::Row;
 
 /// Columns that say what was measured, besides the id.
-const NAMES: [&str; 17] = [
+const NAMES: [&str; 20] = [
     "experiment",
     "kernel",
     "precision",
@@ -24,11 +24,14 @@ const NAMES: [&str; 17] = [
     "code",
     "priced",
     "err_against",
+    "record",
+    "family",
+    "ray_class",
 ];
 
 /// Columns that say on what it was measured. One subject under other settings than before is not
 /// the same measurement.
-pub(super) const SETTINGS: [&str; 11] = [
+pub(super) const SETTINGS: [&str; 12] = [
     "level",
     "workload",
     "order",
@@ -40,6 +43,7 @@ pub(super) const SETTINGS: [&str; 11] = [
     "query",
     "repeats",
     "seed",
+    "knob",
 ];
 
 /// The value of each of [`SETTINGS`]; empty where there is none.

@@ -6,7 +6,7 @@ use crate::table::Row;
 
 /// Columns that should be small. Those that are made of others here (`err_tuv_mean_rel`) would only
 /// say a change twice.
-pub(super) const ERRORS: [&str; 30] = [
+pub(super) const ERRORS: [&str; 38] = [
     "false_hits",
     "false_misses",
     "deep_false_hits",
@@ -37,6 +37,14 @@ pub(super) const ERRORS: [&str; 30] = [
     "backward_max_u",
     "t_excess_max",
     "b_excess_max",
+    "err_t_p50_rel",
+    "err_t_p99_rel",
+    "hits_of_not_finite",
+    "leaks",
+    "double_hits",
+    "spawned_hits",
+    "metamorphic_decisions",
+    "metamorphic_uv",
 ];
 
 /// The changes of a cell.
