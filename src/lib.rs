@@ -8,6 +8,7 @@
 //!  stats ────> measure <─ job ──────────────────────────────┘                 waist ─> compare ──┘
 //! ```
 //! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
+//! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock;
 //! [`doctor`] measures a kernel against copies of itself, to tell what the machine is good for.
 //! The modules below stand in reading order.
 //!
@@ -92,7 +93,13 @@ pub mod stats;
 pub mod measure;
 
 #[cfg(feature = "cli")]
+pub mod spread;
+
+#[cfg(feature = "cli")]
 pub mod table;
+
+#[cfg(feature = "cli")]
+pub mod rows;
 
 #[cfg(feature = "cli")]
 pub mod chart;
@@ -101,10 +108,10 @@ pub mod chart;
 pub mod compare;
 
 #[cfg(feature = "cli")]
-pub mod experiment;
+pub mod stability;
 
 #[cfg(feature = "cli")]
-pub mod stability;
+pub mod experiment;
 
 #[cfg(feature = "cli")]
 pub mod doctor;

@@ -1,6 +1,6 @@
 //! One case with its exact answer, and what a decision about it is worth.
 
-use super::judge::Reported;
+use super::reported::Reported;
 use super::truth::Truth;
 use crate::oracle::{Class, Condition, Exact, Query, excusable};
 

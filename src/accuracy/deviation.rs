@@ -2,7 +2,7 @@
 
 use super::bits_lost::bits_lost;
 use super::case::Case;
-use super::judge::Reported;
+use super::reported::Reported;
 use crate::job::Answer;
 use crate::number::Precision;
 

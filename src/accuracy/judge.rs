@@ -3,27 +3,13 @@
 use super::case::Case;
 use super::deviation::Deviation;
 use super::measures::{Compared, Measures};
+use super::reported::Reported;
 use super::summary::Accuracy;
 use super::surface;
 use super::truth::Truth;
 use crate::job::Answer;
 use crate::oracle::{Exact, Query, condition, excusable, output_error_limit, solve};
 use crate::workload::{Ray, Triangle};
-
-/// What a form reports, and how it rounds.
-#[derive(Clone, Copy, Debug)]
-pub struct Reported {
-    /// 2^-24 or 2^-53.
-    pub unit_roundoff: f64,
-    /// t is reported.
-    pub t: bool,
-    /// u and v are.
-    pub uv: bool,
-    /// The point and the normal are.
-    pub surface: bool,
-    /// Back faces are no hits.
-    pub culls: bool,
-}
 
 /// What was found.
 #[derive(Clone, Debug, Default, PartialEq)]

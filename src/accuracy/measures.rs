@@ -5,7 +5,7 @@
 
 use super::case::Case;
 use super::deviation::Deviation;
-use super::judge::Reported;
+use super::reported::Reported;
 use super::samples::Samples;
 use super::summary::Accuracy;
 use super::truth::Truth;

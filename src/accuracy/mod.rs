@@ -8,6 +8,7 @@ mod measures;
 #[cfg(test)]
 mod measures_tests;
 mod quantiles;
+mod reported;
 mod samples;
 mod summary;
 mod surface;
@@ -15,8 +16,9 @@ mod surface;
 mod tests;
 mod truth;
 
-pub use judge::{Judgement, Reported, judge, judge_nearest};
+pub use judge::{Judgement, judge, judge_nearest};
 pub use measures::Measures;
 pub use quantiles::Quantiles;
+pub use reported::Reported;
 pub use summary::Accuracy;
 pub use truth::{NearestTruth, Truth};

@@ -2,8 +2,8 @@
 
 use super::case::Case;
 use super::deviation::Deviation;
-use super::judge::Reported;
 use super::quantiles::Sorted;
+use super::reported::Reported;
 use super::summary::Accuracy;
 use crate::job::Answer;
 use crate::number::Precision;

@@ -1,6 +1,6 @@
 //! The point and the normal of a hit against the exact ones.
 
-use super::Reported;
+use super::reported::Reported;
 use crate::job::Answer;
 use crate::oracle::{Exact, Query};
 use glam::DVec3;

@@ -15,9 +15,9 @@ use super::folder::Folder;
 use super::show::print;
 use super::{interrupt, progress, stability_tables};
 use crate::chart::{Published, draw, stability_figures};
-use crate::experiment::Watch;
 use crate::level::levels;
 use crate::measure::{Environment, WallClock};
+use crate::spread::Watch;
 use crate::stability::{
     Depth, EXPERIMENT, Family, Outcome, Precision, Sweep, families, forms, known_words,
 };

@@ -5,11 +5,12 @@ use std::sync::atomic::Ordering;
 use super::bench::Bench;
 use super::calls;
 use super::limits::least_cycles;
-use super::rows::{blank, outputs_hash, put_accuracy, put_group, put_interrupted};
+use super::rows::{blank, outputs_hash, put_group, put_interrupted};
 use super::run::Trouble;
 use super::scene::Scene;
 use crate::measure::{Chain, Contestant, EmptyLoop, Figures, Order, PREDICTED_TESTS, Role, Status};
 use crate::registry::{self, Variant};
+use crate::rows::put_accuracy;
 use crate::table::Row;
 
 /// A variant may be in one group with so many others: with the controls they stay within what a

@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 
 use super::bench::Bench;
 use super::cells::Measured;
-use super::rows::{of_variant, put_group};
+use super::rows::put_group;
 use super::run::Trouble;
 use super::scene::reported;
 use super::workload::CodesWorkload;
@@ -14,6 +14,7 @@ use crate::accuracy::{Truth, judge};
 use crate::measure::{Chain, Contestant, Order, Role};
 use crate::oracle::{Query, classify};
 use crate::registry::Variant;
+use crate::rows::of_variant;
 use crate::table::Row;
 use crate::workload::{Ray, Triangle, WorkloadError, draw_pairs, hash};
 

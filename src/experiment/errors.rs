@@ -7,13 +7,13 @@
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::rows::{of_variant, put_accuracy};
 use super::scene::reported;
-use super::spread::on_all_cores;
 use super::workload::ErrorsWorkload;
 use crate::accuracy::{Accuracy, Measures, Truth};
 use crate::oracle::{Class, Exact, Query, classify};
 use crate::registry::{Asked, Variant, asked};
+use crate::rows::{of_variant, put_accuracy};
+use crate::spread::on_all_cores;
 use crate::table::Row;
 use crate::workload::{Pcg, Ray, Triangle, hash, random_pair};
 

@@ -22,7 +22,6 @@ mod rows;
 mod run;
 mod scene;
 mod select;
-mod spread;
 mod stiff;
 mod workload;
 
@@ -32,12 +31,10 @@ pub use config::{ConfigError, Experiment};
 pub use distraction::Distraction;
 pub use keep::{Keep, KeepError, KeepNothing};
 pub use plan::{Plan, Profile};
-pub use rows::{of_axes, of_variant, put_accuracy, put_percent_slower};
+pub use rows::put_percent_slower;
 pub use run::{Outcome, RunError, Trouble, run};
 pub use scene::{Facts, Scene};
 pub use select::{pattern_of, select};
-pub use spread::on_all_cores;
-pub use spread::{Watch, pieces};
 pub use stiff::StiffWorkload;
 pub use workload::{
     CodesWorkload, ErrorsWorkload, NearestWorkload, PairsWorkload, PointsWorkload, Workload,

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::Deserialize;
 
-use super::spread::on_all_cores;
 use crate::registry::{Variant, asked};
+use crate::spread::on_all_cores;
 use crate::stability::{Family, Form, Precision, errors_at, families, find};
 use crate::table::Row;
 

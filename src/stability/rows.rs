@@ -4,7 +4,7 @@ use super::cells::{Conditioning, Found};
 use super::family::Family;
 use super::forms::Form;
 use super::sweep::Setting;
-use crate::experiment::{of_axes, put_accuracy};
+use crate::rows::{of_axes, put_accuracy};
 use crate::table::Row;
 
 /// The value of the column `experiment`, and the folder of the results.

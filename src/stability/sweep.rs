@@ -5,7 +5,7 @@ use super::forms::Form;
 use super::mesh_rays::RayClass;
 use super::precision::Precision;
 use super::{cells, knee, mesh_rays, metamorphic, spawned};
-use crate::experiment::{Watch, pieces};
+use crate::spread::{Watch, pieces};
 use crate::table::Row;
 
 /// How much is drawn.

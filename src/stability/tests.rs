@@ -3,7 +3,7 @@
 use super::family::Family;
 use super::sweep::Sweep;
 use super::*;
-use crate::experiment::Watch;
+use crate::spread::Watch;
 use crate::table::Row;
 use std::sync::atomic::AtomicBool;
 
