@@ -128,7 +128,7 @@ fn contains<P: Policy, R: Real>(
     let beta = P::signed(P::difference(q[0], tri.ac[1], tri.ac[0], q[1]), area);
     let gamma = P::signed(P::difference(tri.ab[0], q[1], q[0], tri.ab[1]), area);
     let both = P::joined(scale, area);
-    let divisible = P::divisible(g) & P::divisible(both.one);
+    let divisible = P::divisible(g) & P::divisible(both.one) & P::finite(both.one);
     (divisible & P::inside(beta, gamma, both), [beta, gamma], both)
 }
 

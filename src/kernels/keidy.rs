@@ -111,7 +111,7 @@ fn contains<P: Policy, R: Real>(
         let z = x + y - both.one;
         z.sign_bit() & !(x.sign_bit() | y.sign_bit())
     } else {
-        P::divisible(g) & P::divisible(both.one) & P::inside(x, y, both)
+        P::divisible(g) & P::divisible(both.one) & P::finite(both.one) & P::inside(x, y, both)
     };
     (inside, [x, y], both)
 }

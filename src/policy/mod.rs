@@ -192,7 +192,7 @@ pub trait Policy: Copy + 'static {
         let inverse = Self::Division::inverse(scale);
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, inverse), resolve(u, inverse), resolve(v, inverse)];
-        Ok(Found { hit: Self::reached(hit, ray, t), t, u, v })
+        Ok(Found { hit: Self::reached(hit, ray, t, inverse), t, u, v })
     }
     /// The answer where u and v have a denominator of their own, which bounds them.
     #[inline(always)]
@@ -207,20 +207,22 @@ pub trait Policy: Copy + 'static {
             (Self::Division::inverse(t_scale), Self::Division::inverse(uv_scale));
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, t_inverse), resolve(u, inverse), resolve(v, inverse)];
-        Ok(Found { hit: Self::reached(hit, ray, t), t, u, v })
+        let hit = Self::reached(hit, ray, t, t_inverse);
+        let asks = Self::Division::BEHIND_TESTS && !Self::Tests::AS_PUBLISHED;
+        let hit = if asks { hit & inverse.ne(inverse.zero()) } else { hit };
+        Ok(Found { hit, t, u, v })
     }
-    /// `hit` where t, which passed the test of its range, is finite. Divided last it was tested as a
-    /// numerator; the quotient can overflow, and so can the bounds that are scaled for it. A search for
-    /// the nearest hit, whose forms are those from zero, compares t with its bound anyhow.
+    /// `hit` where t, which passed the test of its range, is finite, and the determinant, whose
+    /// reciprocal is `inverse`. Divided last, t was tested as a numerator; the quotient can overflow,
+    /// and so can the bounds that are scaled for it; below an infinite determinant is everything. A
+    /// search for the nearest hit, whose forms are those from zero, compares t with its bound anyhow.
     #[inline(always)]
-    fn reached<R: Real>(hit: R::Mask, ray: &Ray<R>, t: R) -> R::Mask {
+    fn reached<R: Real>(hit: R::Mask, ray: &Ray<R>, t: R, inverse: R) -> R::Mask {
         if !Self::Division::BEHIND_TESTS || Self::Tests::AS_PUBLISHED {
-            hit
-        } else if Self::Span::FROM_ZERO {
-            hit & t.le(ray.t_max)
-        } else {
-            hit & Self::finite(t)
+            return hit;
         }
+        let hit = hit & inverse.ne(inverse.zero());
+        if Self::Span::FROM_ZERO { hit & t.le(ray.t_max) } else { hit & Self::finite(t) }
     }
     /// Where a number is finite.
     #[inline(always)]

@@ -77,9 +77,9 @@ impl Division for First {
 impl Division for Last {
     const NAME: &'static str = "last";
     const BEHIND_TESTS: bool = true;
-    /// The reciprocal of a subnormal can overflow, everything is below an infinite determinant, and
-    /// a hit must never be non-finite; hits lost here are a finding about tiny and huge triangles.
-    /// Sign bits, as printed, test nothing.
+    /// The reciprocal of a subnormal can overflow, and a hit must never be non-finite; hits lost
+    /// here are a finding about tiny triangles. An infinite determinant shows in its reciprocal, see
+    /// [`Policy::finish`]. Sign bits, as printed, test nothing.
     #[inline(always)]
     fn divisible<P: Policy, R: Real>(det: R) -> R::Mask {
         if P::Tests::SIGN_BITS {
@@ -87,7 +87,6 @@ impl Division for Last {
         }
         let magnitude = if P::FLIPS { det.signed_by(det) } else { det };
         magnitude.gt(det.like(R::Element::LARGEST_SUBNORMAL))
-            & magnitude.le(det.like(R::Element::MAX))
     }
     #[inline(always)]
     fn divide<P: Policy, R: Real>(det: R) -> Scale<R> {
