@@ -9,10 +9,11 @@ use crate::measure::{
     ProtocolError, Ruler, Surroundings, measure_group,
 };
 
-/// Time that a neighbour is given to leave before a group is measured again, and at most, when each
-/// wait is twice the last: his long visits were of half a second to some seconds.
+/// Time that a neighbour is given to leave before a group is measured again; twice as long after
+/// each few attempts, up to the longest: his long visits were of half a second to some seconds.
 const WAIT: Duration = Duration::from_millis(300);
 const LONGEST_WAIT: Duration = Duration::from_millis(2400);
+const FEW_ATTEMPTS: u32 = 6;
 
 /// What a cell is measured with.
 pub struct Bench<'a> {
@@ -70,11 +71,14 @@ impl Bench<'_> {
     ) -> Result<GroupReport, ProtocolError> {
         let protocol = &Protocol { guards: self.guards, ..protocol.clone() };
         let mut report = self.measure_once(contestants, protocol)?;
-        let mut wait = WAIT;
+        let (mut wait, mut attempts) = (WAIT, 0);
         while report.crowded_share > 0.0 && self.patience > 0 && !report.cancelled {
             self.patience -= 1;
             std::thread::sleep(wait);
-            wait = (2 * wait).min(LONGEST_WAIT);
+            attempts += 1;
+            if attempts % FEW_ATTEMPTS == 0 {
+                wait = (2 * wait).min(LONGEST_WAIT);
+            }
             let again = self.measure_once(contestants, protocol)?;
             // Never given up for one that was cut short.
             if !again.cancelled {
