@@ -113,26 +113,16 @@ where
 {
     type Of<K, D, A, C> = Form<Early, D, A, Tuv, TwoSided, C, <K as Offers>::Native, Between>;
     let axes = Axes {
-        kernel: K::ABOUT.id,
-        precision: E::NAME,
-        drive: "single".into(),
-        level: level(A::NAME == Fused::NAME),
-        exit: "early",
         division: D::NAME,
         rounding: A::NAME,
         output: if K::UV { "tuv" } else { "t" },
-        cull: "off",
-        layout: "aos",
         leading: K::Native::NAME,
-        leading_is_native: true,
-        priced: "",
-        query: "ray",
         stored: K::ABOUT.stored,
         stored_is_native: K::NATIVE_RECORD,
         tests: C::NAME,
         edges: K::EDGES,
         subnormals,
-        copy: 0,
+        ..Axes::usual(K::ABOUT.id, E::NAME, level(A::NAME == Fused::NAME))
     };
     let ask = ask::<K, Of<K, D, A, C>, E>;
     all.push(Asked { axes, about: &K::ABOUT, is_segment: K::ABOUT.id == "chirkov", ask });
@@ -165,26 +155,11 @@ fn listed<K: Listing, E: Element>(
         answer(code == 0, [t, u, v], code)
     }
     let axes = Axes {
-        kernel: K::ABOUT.id,
-        precision: E::NAME,
-        drive: "single".into(),
-        level: level(false),
-        exit: "early",
         division,
-        rounding: Plain::NAME,
-        output: "tuv",
-        cull: "off",
-        layout: "aos",
         leading: "inside",
-        leading_is_native: true,
-        priced: "",
-        query: "ray",
         stored: K::ABOUT.stored,
-        stored_is_native: true,
-        tests: Compare::NAME,
-        edges: "",
         subnormals,
-        copy: 0,
+        ..Axes::usual(K::ABOUT.id, E::NAME, level(false))
     };
     all.push(Asked { axes, about: &K::ABOUT, is_segment: false, ask: ask::<K, E> });
 }

@@ -11,7 +11,7 @@ pub struct Axes {
     pub kernel: &'static str,
     /// `f32` or `f64`.
     pub precision: &'static str,
-    /// `single`, or `packetN`.
+    /// How it is driven: `single`, `packetN`, ...
     pub drive: String,
     /// The instruction-set level.
     pub level: &'static str,
@@ -46,12 +46,20 @@ pub struct Axes {
     pub edges: &'static str,
     /// `kept`, or `flushed` to zero.
     pub subnormals: &'static str,
+    /// How a reciprocal is made: `division`, `estimate`, or `newton` for an estimate that is refined.
+    pub reciprocal: &'static str,
+    /// Where the axes of a projection come from: `one-index`, `three-indices`, `fixed` or `batches`;
+    /// empty for kernels that do not project.
+    pub projection: &'static str,
+    /// Where a test branches: `native` for after every test in `early` and nowhere in `full`, or
+    /// `once`, behind all of them.
+    pub branches: &'static str,
     /// 0, or the number of a placebo.
     pub copy: usize,
 }
 
 /// The columns of `list variants` behind `id` and `available`.
-pub const COLUMNS: [&str; 17] = [
+pub const COLUMNS: [&str; 20] = [
     "kernel",
     "precision",
     "drive",
@@ -69,11 +77,43 @@ pub const COLUMNS: [&str; 17] = [
     "tests",
     "edges",
     "subnormals",
+    "reciprocal",
+    "projection",
+    "branches",
 ];
 
 impl Axes {
+    /// A single ray, everything else at its default, `early`, divided `last`, with t, u and v.
+    pub fn usual(kernel: &'static str, precision: &'static str, level: &'static str) -> Self {
+        Axes {
+            kernel,
+            precision,
+            drive: "single".into(),
+            level,
+            exit: "early",
+            division: "last",
+            rounding: "plain",
+            output: "tuv",
+            cull: "off",
+            layout: "aos",
+            leading: "distance",
+            leading_is_native: true,
+            priced: "",
+            query: "ray",
+            stored: "vertices",
+            stored_is_native: true,
+            tests: "compare",
+            edges: "",
+            subnormals: "kept",
+            reciprocal: "division",
+            projection: "",
+            branches: "native",
+            copy: 0,
+        }
+    }
+
     /// The values of [`COLUMNS`].
-    pub fn values(&self) -> [&str; 17] {
+    pub fn values(&self) -> [&str; 20] {
         [
             self.kernel,
             self.precision,
@@ -92,6 +132,9 @@ impl Axes {
             self.tests,
             self.edges,
             self.subnormals,
+            self.reciprocal,
+            self.projection,
+            self.branches,
         ]
     }
 
@@ -100,13 +143,16 @@ impl Axes {
     pub fn id(&self) -> String {
         let mut id = self.values()[..8].join("/");
         let others = [
+            ("branches", self.branches.into(), self.branches == "native"),
             ("copy", self.copy.to_string(), self.copy == 0),
             ("cull", self.cull.into(), self.cull == "off"),
             ("edges", self.edges.into(), ["", Fallback::NAME].contains(&self.edges)),
             ("layout", self.layout.into(), self.layout == "aos"),
             ("leading", self.leading.into(), self.leading_is_native),
             ("priced", self.priced.into(), self.priced.is_empty()),
+            ("projection", self.projection.into(), ["", "one-index"].contains(&self.projection)),
             ("query", self.query.into(), self.query == "ray"),
+            ("reciprocal", self.reciprocal.into(), self.reciprocal == "division"),
             ("stored", self.stored.into(), self.stored_is_native),
             ("subnormals", self.subnormals.into(), self.subnormals == "kept"),
             ("tests", self.tests.into(), self.tests == "compare"),

@@ -194,26 +194,20 @@ where
     }
     let nearest = enter::<L, Nearest<K, Form<E, D, A, O, F, C, Q, FromZero>, R>, COPY>;
     let axes = Axes {
-        kernel: K::ABOUT.id,
-        precision: R::Element::NAME,
         drive: if R::LANES == 1 { "single".into() } else { format!("packet{}", R::LANES) },
-        level: L::NAME,
         exit: E::NAME,
         division: D::NAME,
         rounding: A::NAME,
         output: O::NAME,
         cull: F::NAME,
-        layout: "aos",
         leading: Q::NAME,
         leading_is_native: Q::NAME == K::Native::NAME,
-        priced: "",
-        query: "ray",
         stored: K::ABOUT.stored,
         stored_is_native: K::NATIVE_RECORD,
         tests: C::NAME,
         edges: K::EDGES,
-        subnormals: "kept",
         copy: COPY,
+        ..Axes::usual(K::ABOUT.id, R::Element::NAME, L::NAME)
     };
     let outputs = [usize::from(O::T), 2 * usize::from(O::UV), 6 * usize::from(O::SURFACE)];
     let shape = (R::LANES, outputs.iter().sum());

@@ -87,26 +87,13 @@ where
     }
     let run: PairsLoop<E, K::Record<E>> = enter::<L, Listed<K, S, E, UV>, COPY>;
     let axes = Axes {
-        kernel: K::ABOUT.id,
-        precision: E::NAME,
-        drive: "single".into(),
-        level: L::NAME,
-        exit: "early",
         division,
-        rounding: "plain",
         output: if UV { "tuv" } else { "t" },
-        cull: "off",
-        layout: "aos",
         leading: "inside",
-        leading_is_native: true,
         priced: S::NAME,
-        query: "ray",
         stored: K::ABOUT.stored,
-        stored_is_native: true,
-        tests: "compare",
-        edges: "",
-        subnormals: "kept",
         copy: COPY,
+        ..Axes::usual(K::ABOUT.id, E::NAME, L::NAME)
     };
     v.push(Variant {
         axes,

@@ -44,26 +44,12 @@ fn form<K: PointTest, E: Element + On<Base>, X: Exit, C: Tests>(v: &mut Vec<Vari
     }
     let run: PairsLoop<E, K::Record<E>> = enter::<Base, Points<K, Of<X, C>, E>, 0>;
     let axes = Axes {
-        kernel: K::ABOUT.id,
-        precision: E::NAME,
-        drive: "single".into(),
-        level: <Base as level::Level>::NAME,
         exit: X::NAME,
-        division: "last",
-        rounding: "plain",
         output: if uv { "tuv" } else { "hit" },
-        cull: "off",
-        layout: "aos",
-        leading: "distance",
-        leading_is_native: true,
-        priced: "",
         query: "point",
         stored: K::ABOUT.stored,
-        stored_is_native: true,
         tests: C::NAME,
-        edges: "",
-        subnormals: "kept",
-        copy: 0,
+        ..Axes::usual(K::ABOUT.id, E::NAME, <Base as level::Level>::NAME)
     };
     v.push(Variant {
         axes,
