@@ -10,9 +10,9 @@
 //! yields no u and v. Single rays only, because arccos comes from `libm`.
 
 use super::perpendicular_planes::point_on;
-use super::{About, Corners, Kernel, PointTest};
+use super::{About, Corners, Kernel, PointTest, Source};
 use crate::kernels::stored::plain_dot;
-use crate::number::{Element, Real, Vec3};
+use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray, Scale};
 
 /// See the module's text. Its lanes are computed one by one.
@@ -25,6 +25,8 @@ pub struct Met<R> {
     n: Vec3<R>,
 }
 
+spread!(Met { corners, n });
+
 impl Kernel for AngleSum {
     const ABOUT: About = About {
         id: "angle-sum",
@@ -36,18 +38,19 @@ impl Kernel for AngleSum {
         watertight: false,
         codes: &["det is 0", "t outside", "the angles do not add up"],
     };
-    type Record<E: Element> = Corners<E>;
+    type Record<E: Element> = [E; 9];
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
-        *corners
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 9] {
+        corners.numbers()
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, tri: &Corners<R::Element>) -> Met<R> {
-        let (e1, e2) = tri.edges();
-        Met { corners: Corners::splat(token, tri), n: Vec3::splat(token, P::cross(e1, e2)) }
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
+        let corners = Corners::read(stored, 0);
+        let (e1, e2) = corners.edges();
+        Met { corners, n: P::cross(e1, e2) }
     }
 
     #[inline(always)]

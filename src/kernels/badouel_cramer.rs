@@ -9,24 +9,15 @@
 //! Operations of a hit, divided first: 16 x, 17 +-, 2 /; divided last 23 x.
 //! Known weakness: the plane's constant cancels far from the origin; slivers lose u and v twice.
 
-use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel, PointTest};
-use crate::number::{Axis, Element, Real, Vec3, dominant};
+use super::stored::{plain_cross, with_plane};
+use super::{About, Corners, Kernel, PointTest, Source};
+use crate::number::{Axis, Element, Real, Vec3, spread};
 use crate::policy::{Division, Found, Miss, Policy, Ray, Scale};
 
 /// See the module's text.
 pub struct BadouelCramer;
 
-/// Corners, plane and axis.
-#[derive(Clone, Copy)]
-pub struct Record<E> {
-    corners: Corners<E>,
-    n: Vec3<E>,
-    nd: E,
-    w: u32,
-}
-
-/// The record in lanes: a and the two edges along u and v.
+/// The plane, and a and the two edges along u and v. The record is corners, n, n . a and the axis w.
 #[derive(Clone, Copy)]
 pub struct Met<R: Real> {
     w: Axis<R::Mask>,
@@ -36,6 +27,8 @@ pub struct Met<R: Real> {
     ab: [R; 2],
     ac: [R; 2],
 }
+
+spread!(Met { w, n, nd, a, ab, ac });
 
 impl Kernel for BadouelCramer {
     const ABOUT: About = About {
@@ -48,30 +41,30 @@ impl Kernel for BadouelCramer {
         watertight: false,
         codes: &["det is 0", "t outside", "u, v or u + v outside"],
     };
-    type Record<E: Element> = Record<E>;
+    type Record<E: Element> = [E; 14];
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Record<E> {
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 14] {
         let (e1, e2) = corners.edges();
         let n = plain_cross(e1, e2);
-        Record { corners: *corners, n, nd: plain_dot(n, corners.a), w: dominant(n) }
+        with_plane(corners, n)
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Record<R::Element>) -> Met<R> {
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
         // Picking before broadcasting: the axis is the triangle's, whatever the rays are.
-        let u = Axis::<bool>::stored(record.w).next();
-        let v = u.next();
-        let Corners { a, b, c } = &record.corners;
+        let w = stored.axis(13);
+        let (u, v) = (w.next(), w.next().next());
+        let Corners { a, b, c } = &Corners::read(stored, 0);
         let (au, av) = (u.pick(a), v.pick(a));
         Met {
-            w: Axis::stored(record.w),
-            n: Vec3::splat(token, record.n),
-            nd: R::splat(token, record.nd),
-            a: [R::splat(token, au), R::splat(token, av)],
-            ab: [R::splat(token, u.pick(b) - au), R::splat(token, v.pick(b) - av)],
-            ac: [R::splat(token, u.pick(c) - au), R::splat(token, v.pick(c) - av)],
+            w,
+            n: stored.vector(9),
+            nd: stored.number(12),
+            a: [au, av],
+            ab: [u.pick(b) - au, v.pick(b) - av],
+            ac: [u.pick(c) - au, v.pick(c) - av],
         }
     }
 

@@ -16,11 +16,11 @@
 
 use std::marker::PhantomData;
 
-use super::perpendicular_planes::{point_on, share};
+use super::perpendicular_planes::{planes, point_on, share};
 use super::shevtsov::cycle;
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel};
-use crate::number::{Axis, Element, Real, Vec3, dominant};
+use super::{About, Corners, Kernel, Source};
+use crate::number::{Axis, Element, Real, Vec3, dominant, spread};
 use crate::policy::{Found, Miss, Policy, Ray};
 
 /// See the module's text. `C` says how the fourth column is made.
@@ -79,9 +79,8 @@ impl Column for FromRows {
     }
 }
 
-/// The rows for b, c and the plane.
+/// The rows for b, c and the plane, in this order in the record.
 #[derive(Clone, Copy)]
-#[repr(C)]
 pub struct Matrix<R> {
     b: Vec3<R>,
     b_offset: R,
@@ -90,6 +89,8 @@ pub struct Matrix<R> {
     n: Vec3<R>,
     n_offset: R,
 }
+
+spread!(Matrix { b, b_offset, c, c_offset, n, n_offset });
 
 impl<C: Column> Kernel for BaldwinWeber<C> {
     const ABOUT: About = About {
@@ -102,11 +103,11 @@ impl<C: Column> Kernel for BaldwinWeber<C> {
         watertight: false,
         codes: &["det is 0", "t outside", "u outside", "v or u + v outside"],
     };
-    type Record<E: Element> = Matrix<E>;
+    type Record<E: Element> = [E; 12];
     type Met<R: Real> = Matrix<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Matrix<E> {
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (e1, e2) = corners.edges();
         let n = plain_cross(e1, e2);
         let axes @ [k, p, q] = cycle(dominant(n));
@@ -117,18 +118,18 @@ impl<C: Column> Kernel for BaldwinWeber<C> {
         (c.0[p], c.0[q]) = (-e1.0[q] / nk, e1.0[p] / nk);
         (plane.0[p], plane.0[q]) = (n.0[p] / nk, n.0[q] / nk);
         let [b_offset, c_offset, n_offset] = C::offsets(&[b, c, plane], corners, axes, n);
-        Matrix { b, b_offset, c, c_offset, n: plane, n_offset }
+        planes([(b, b_offset), (c, c_offset), (plane, n_offset)])
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Matrix<R::Element>) -> Matrix<R> {
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Matrix<T> {
         Matrix {
-            b: Vec3::splat(token, record.b),
-            b_offset: R::splat(token, record.b_offset),
-            c: Vec3::splat(token, record.c),
-            c_offset: R::splat(token, record.c_offset),
-            n: Vec3::splat(token, record.n),
-            n_offset: R::splat(token, record.n_offset),
+            b: stored.vector(0),
+            b_offset: stored.number(3),
+            c: stored.vector(4),
+            c_offset: stored.number(7),
+            n: stored.vector(8),
+            n_offset: stored.number(11),
         }
     }
 

@@ -13,25 +13,15 @@
 //! Operations of a hit: 32 x, 30 +-, 2 unary minuses, 2 /.
 //! Known weakness: f has degree 6 in the size of the triangle, so it leaves the range of f32 first.
 
-use super::shevtsov::pair;
-use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel};
-use crate::number::{Axis, Element, Real, Vec3, dominant};
+use super::stored::{plain_cross, with_plane};
+use super::{About, Corners, Kernel, Source};
+use crate::number::{Axis, Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray, Scale, Tests};
 
 /// See the module's text. Judged on (origin, end); the range of t is that of the segment and t_max.
 pub struct Chirkov;
 
-/// Corners, plane and axis.
-#[derive(Clone, Copy)]
-pub struct Record<R> {
-    corners: Corners<R>,
-    n: Vec3<R>,
-    nd: R,
-    w: u32,
-}
-
-/// The record in lanes: what the test needs of it along y and z.
+/// What the test needs along y and z. The record is corners, n, n . a and the axis x.
 #[derive(Clone, Copy)]
 pub struct Met<R: Real> {
     y: Axis<R::Mask>,
@@ -45,6 +35,8 @@ pub struct Met<R: Real> {
     bc: [R; 2],
 }
 
+spread!(Met { y, n, nd, nw, a, b, ab, ac, bc });
+
 impl Kernel for Chirkov {
     const ABOUT: About = About {
         id: "chirkov",
@@ -56,34 +48,34 @@ impl Kernel for Chirkov {
         watertight: false,
         codes: &["the segment does not cross the plane", "outside an edge", "t outside"],
     };
-    type Record<E: Element> = Record<E>;
+    type Record<E: Element> = [E; 14];
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Record<E> {
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 14] {
         let (e1, e2) = corners.edges();
         let n = plain_cross(e1, e2);
-        Record { corners: *corners, n, nd: plain_dot(n, corners.a), w: dominant(n) }
+        with_plane(corners, n)
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Record<R::Element>) -> Met<R> {
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
         // Picking before broadcasting: the axis is the triangle's, and a component of a vector that
         // is computed in a test would have to go through memory.
-        let w = Axis::<bool>::stored(record.w);
+        let (n, w) = (stored.vector(9), stored.axis(13));
         let (y, z) = (w.next(), w.next().next());
-        let [a, b, c] = [&record.corners.a, &record.corners.b, &record.corners.c];
+        let Corners { a, b, c } = &Corners::read(stored, 0);
         let [a, b, c] = [[y.pick(a), z.pick(a)], [y.pick(b), z.pick(b)], [y.pick(c), z.pick(c)]];
         Met {
-            y: Axis::stored(record.w).next(),
-            n: Vec3::splat(token, record.n),
-            nd: R::splat(token, record.nd),
-            nw: R::splat(token, w.pick(&record.n)),
-            a: pair::<R>(token, a),
-            b: pair::<R>(token, b),
-            ab: pair::<R>(token, between(a, b)),
-            ac: pair::<R>(token, between(a, c)),
-            bc: pair::<R>(token, between(b, c)),
+            y,
+            n,
+            nd: stored.number(12),
+            nw: w.pick(&n),
+            a,
+            b,
+            ab: between(a, b),
+            ac: between(a, c),
+            bc: between(b, c),
         }
     }
 

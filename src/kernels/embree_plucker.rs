@@ -13,7 +13,7 @@
 //! Known weakness: shared edges are kept, but the tolerance depends on the triangle, so that a ray
 //! through a vertex can pass between tiny ones; on edges it hits both.
 
-use super::{About, Corners, Kernel};
+use super::{About, Corners, Kernel, Source};
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Division, Exit, Found, Last, Miss, Policy, Ray, Rounding, Scale};
 
@@ -31,17 +31,17 @@ impl Kernel for EmbreePlucker {
         watertight: false,
         codes: &["the sides differ beyond the tolerance", "det is 0, or t outside"],
     };
-    type Record<E: Element> = Corners<E>;
+    type Record<E: Element> = [E; 9];
     type Met<R: Real> = Corners<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
-        *corners
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 9] {
+        corners.numbers()
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Corners<R::Element>) -> Corners<R> {
-        Corners::splat(token, record)
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Corners<T> {
+        Corners::read(stored, 0)
     }
 
     #[inline(always)]

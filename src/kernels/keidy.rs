@@ -13,7 +13,7 @@ use std::marker::PhantomData;
 
 use super::perpendicular_planes::point_on;
 use super::stored::Frame;
-use super::{About, Corners, Kernel, PointTest, Stored};
+use super::{About, Corners, Kernel, PointTest, Source, Stored};
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Division, Found, Leading, Miss, Policy, Ray, Scale, Tests};
 
@@ -40,8 +40,8 @@ impl<S: Stored> Kernel for Keidy<S> {
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &S::Record<R::Element>) -> Frame<R> {
-        S::meet::<P, R>(token, record)
+    fn read<P: Policy, T: Real, O: Source<T>>(stored: &O) -> Frame<T> {
+        S::read::<P, T, O>(stored)
     }
 
     #[inline(always)]

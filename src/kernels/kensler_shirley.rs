@@ -11,7 +11,7 @@
 use std::marker::PhantomData;
 
 use super::stored::Frame;
-use super::{About, Corners, Kernel, Stored};
+use super::{About, Corners, Kernel, Source, Stored};
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Found, Leading, Miss, Policy, Ray, Scale};
 
@@ -38,8 +38,8 @@ impl<S: Stored> Kernel for KenslerShirley<S> {
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &S::Record<R::Element>) -> Frame<R> {
-        S::meet::<P, R>(token, record)
+    fn read<P: Policy, T: Real, O: Source<T>>(stored: &O) -> Frame<T> {
+        S::read::<P, T, O>(stored)
     }
 
     #[inline(always)]

@@ -1,9 +1,10 @@
 //! The kernels: one file per algorithm, each written once.
 //!
 //! A kernel has four stages. [`Kernel::prepare`] runs once per triangle and fills the stored
-//! record. [`Kernel::aim`] runs once per ray or packet of rays. [`Kernel::meet`] runs once per
-//! triangle and packet, on scalars, and broadcasts what the rays of a packet share.
-//! [`Kernel::test`] runs per triangle and ray, or packet of rays.
+//! record. [`Kernel::aim`] runs once per ray or packet of rays. [`Kernel::read`] runs once per
+//! triangle and packet, on scalars, and what it yields is put into every lane; or once per group of
+//! triangles, of which each lane has one. [`Kernel::test`] runs per triangle and ray, packet of rays
+//! or group of triangles.
 
 mod angle_sum;
 mod badouel_cramer;
@@ -21,6 +22,7 @@ mod perpendicular_planes;
 mod plucker;
 mod shevtsov;
 mod signed_areas;
+mod source;
 mod stored;
 mod wald;
 mod woop_affine;
@@ -41,12 +43,13 @@ pub use perpendicular_planes::PerpendicularPlanes;
 pub use plucker::Plucker;
 pub use shevtsov::Shevtsov;
 pub use signed_areas::SignedAreas;
+pub use source::{Source, Whole};
 pub use stored::{Precomputed, Stored, Vertices, WithNormal};
 pub use wald::Wald;
 pub use woop_affine::WoopAffine;
 pub use woop_watertight::WoopWatertight;
 
-use crate::number::{Element, Real, Vec3};
+use crate::number::{Element, Real, Spread, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray};
 
 /// The corners of a triangle: u is the weight of `b`, v of `c`.
@@ -66,16 +69,26 @@ impl<R: Real> Corners<R> {
     pub fn edges(&self) -> (Vec3<R>, Vec3<R>) {
         (self.b - self.a, self.c - self.a)
     }
-    /// The same corners in every lane.
+    /// As they are stored in nine places, from `place` on.
     #[inline(always)]
-    pub fn splat(token: R::Token, corners: &Corners<R::Element>) -> Self {
+    pub fn read<S: Source<R>>(stored: &S, place: usize) -> Self {
         Corners {
-            a: Vec3::splat(token, corners.a),
-            b: Vec3::splat(token, corners.b),
-            c: Vec3::splat(token, corners.c),
+            a: stored.vector(place),
+            b: stored.vector(place + 3),
+            c: stored.vector(place + 6),
         }
     }
 }
+
+impl<E: Element> Corners<E> {
+    /// What [`Corners::read`] reads.
+    pub fn numbers(&self) -> [E; 9] {
+        let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (self.a.0, self.b.0, self.c.0);
+        [ax, ay, az, bx, by, bz, cx, cy, cz]
+    }
+}
+
+spread!(Corners { a, b, c });
 
 /// What a reader should know of a kernel before its code.
 #[derive(Clone, Copy, Debug)]
@@ -102,18 +115,26 @@ pub struct About {
 pub trait Kernel: 'static {
     /// What it is.
     const ABOUT: About;
-    /// What is stored of one triangle.
-    type Record<E: Element>: Copy + 'static;
-    /// The record, in lanes, with what a packet's rays share.
-    type Met<R: Real>: Copy;
+    /// What is stored of one triangle: an array of numbers.
+    type Record<E: Element>: AsRef<[E]> + Copy + 'static;
+    /// The record as the test needs it, with what follows from the triangle alone.
+    type Met<R: Real>: Spread<R, One = Self::Met<R::Element>>;
     /// What is prepared of a ray, or of a packet of rays; `()` for nothing.
     type Aim<R: Real>: Copy;
 
     /// The record of a triangle; any triangle, degenerate ones too.
     fn prepare<E: Element>(corners: &Corners<E>) -> Self::Record<E>;
-    /// What is done once per triangle and packet.
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Self::Record<R::Element>)
-    -> Self::Met<R>;
+    /// What is done once per triangle, before any ray is known: on one triangle, or on one per lane.
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Self::Met<T>;
+    /// [`Kernel::read`] of one triangle, put into every lane.
+    #[inline(always)]
+    fn meet<P: Policy, R: Real>(
+        token: R::Token,
+        record: &Self::Record<R::Element>,
+    ) -> Self::Met<R> {
+        let met = Self::read::<P, R::Element, _>(&Whole(record.as_ref()));
+        Spread::spread(token, met)
+    }
     /// What is done once per ray or packet. It must not read `t_max`, which shrinks from hit to hit.
     fn aim<P: Policy, R: Real>(ray: &Ray<R>) -> Self::Aim<R>;
     /// The test.

@@ -9,8 +9,8 @@
 //! Known weakness: no shared edge is evaluated the same from both sides, so rays through edges
 //! leak; d x e2 cancels for directions along an edge.
 
-use super::{About, Corners, Kernel};
-use crate::number::{Element, Real, Vec3};
+use super::{About, Corners, Kernel, Source};
+use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Leading, Miss, Policy, Ray, Scale};
 
 /// See the module's text.
@@ -24,6 +24,17 @@ pub struct Met<R> {
     e2: Vec3<R>,
 }
 
+spread!(Met { a, e1, e2 });
+
+impl<R: Real> Met<R> {
+    /// Of a triangle's corners.
+    #[inline(always)]
+    pub fn of(corners: &Corners<R>) -> Self {
+        let (e1, e2) = corners.edges();
+        Met { a: corners.a, e1, e2 }
+    }
+}
+
 impl Kernel for MollerTrumbore {
     const ABOUT: About = About {
         id: "moller-trumbore",
@@ -35,22 +46,17 @@ impl Kernel for MollerTrumbore {
         watertight: false,
         codes: &["det is 0", "u outside", "v or u + v outside", "t outside"],
     };
-    type Record<E: Element> = Corners<E>;
+    type Record<E: Element> = [E; 9];
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
-        *corners
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 9] {
+        corners.numbers()
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Corners<R::Element>) -> Met<R> {
-        let (e1, e2) = record.edges();
-        Met {
-            a: Vec3::splat(token, record.a),
-            e1: Vec3::splat(token, e1),
-            e2: Vec3::splat(token, e2),
-        }
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
+        Met::of(&Corners::read(stored, 0))
     }
 
     #[inline(always)]

@@ -7,8 +7,8 @@
 //! Known weakness: as of Moeller-Trumbore, 2^29 times smaller; range and decisions are those of f64.
 
 use super::moller_trumbore::{self, MollerTrumbore};
-use super::{About, Corners, Kernel};
-use crate::number::{Element, Real, Vec3};
+use super::{About, Corners, Kernel, Source};
+use crate::number::{Element, Real, Spread, Vec3};
 use crate::policy::{Found, Miss, Policy, Ray};
 
 /// See the module's text.
@@ -24,28 +24,34 @@ pub struct Met<R: Real> {
     zero: R,
 }
 
+impl<R: Real> Spread<R> for Met<R> {
+    type One = Met<R::Element>;
+    #[inline(always)]
+    fn spread(token: R::Token, one: Met<R::Element>) -> Self {
+        Met { wide: one.wide, zero: R::splat(token, one.zero) }
+    }
+}
+
 impl Kernel for MollerTrumboreInF64 {
     const ABOUT: About = About {
         id: "moller-trumbore-in-f64",
         name: "Möller-Trumbore in f64",
         ..MollerTrumbore::ABOUT
     };
-    type Record<E: Element> = Corners<E>;
+    type Record<E: Element> = [E; 9];
     type Met<R: Real> = Met<R>;
     /// The wide ray; its t_max is not read.
     type Aim<R: Real> = Ray<Wide<R>>;
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
-        *corners
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 9] {
+        corners.numbers()
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, tri: &Corners<R::Element>) -> Met<R> {
-        let corners = Corners { a: wide(tri.a), b: wide(tri.b), c: wide(tri.c) };
-        Met {
-            wide: MollerTrumbore::meet::<P, Wide<R>>((), &corners),
-            zero: R::splat(token, R::Element::ZERO),
-        }
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
+        let Corners { a, b, c } = Corners::read(stored, 0);
+        let corners = Corners { a: wide_ray(a), b: wide_ray(b), c: wide_ray(c) };
+        Met { wide: moller_trumbore::Met::of(&corners), zero: a.x().zero() }
     }
 
     #[inline(always)]

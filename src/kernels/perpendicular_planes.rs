@@ -10,16 +10,16 @@
 //! leaves the range of f32 for triangles below 1e-10 and above 1e9.
 
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel};
-use crate::number::{Element, Real, Vec3};
+use super::{About, Corners, Kernel, Source};
+use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray, Scale};
 
 /// See the module's text.
 pub struct PerpendicularPlanes;
 
 /// The triangle's plane and two perpendicular ones: n . p = d, b . p + b_d = u, c . p + c_d = v.
+/// The record holds them in this order.
 #[derive(Clone, Copy)]
-#[repr(C)]
 pub struct Planes<R> {
     n: Vec3<R>,
     nd: R,
@@ -28,6 +28,8 @@ pub struct Planes<R> {
     c: Vec3<R>,
     cd: R,
 }
+
+spread!(Planes { n, nd, b, bd, c, cd });
 
 impl Kernel for PerpendicularPlanes {
     const ABOUT: About = About {
@@ -40,35 +42,32 @@ impl Kernel for PerpendicularPlanes {
         watertight: false,
         codes: &["det is 0", "t outside", "u, v or u + v outside"],
     };
-    type Record<E: Element> = Planes<E>;
+    type Record<E: Element> = [E; 12];
     type Met<R: Real> = Planes<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Planes<E> {
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (ab, ac) = corners.edges();
         let n = plain_cross(ab, ac);
         let inverse = E::ONE / plain_dot(n, n);
         let b = plain_cross(ac, n).scaled(inverse);
         let c = plain_cross(n, ab).scaled(inverse);
-        Planes {
-            n,
-            nd: plain_dot(n, corners.a),
-            b,
-            bd: -plain_dot(b, corners.a),
-            c,
-            cd: -plain_dot(c, corners.a),
-        }
+        planes([
+            (n, plain_dot(n, corners.a)),
+            (b, -plain_dot(b, corners.a)),
+            (c, -plain_dot(c, corners.a)),
+        ])
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Planes<R::Element>) -> Planes<R> {
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Planes<T> {
         Planes {
-            n: Vec3::splat(token, record.n),
-            nd: R::splat(token, record.nd),
-            b: Vec3::splat(token, record.b),
-            bd: R::splat(token, record.bd),
-            c: Vec3::splat(token, record.c),
-            cd: R::splat(token, record.cd),
+            n: stored.vector(0),
+            nd: stored.number(3),
+            b: stored.vector(4),
+            bd: stored.number(7),
+            c: stored.vector(8),
+            cd: stored.number(11),
         }
     }
 
@@ -92,6 +91,13 @@ impl Kernel for PerpendicularPlanes {
     fn normal<P: Policy, R: Real>(tri: &Planes<R>) -> Vec3<R> {
         tri.n
     }
+}
+
+/// A record of three planes, each a vector and a number.
+pub fn planes<E: Element>(planes: [(Vec3<E>, E); 3]) -> [E; 12] {
+    let [(p, pd), (q, qd), (r, rd)] = planes;
+    let ([px, py, pz], [qx, qy, qz], [rx, ry, rz]) = (p.0, q.0, r.0);
+    [px, py, pz, pd, qx, qy, qz, qd, rx, ry, rz, rd]
 }
 
 /// o + t d, in `scale`.

@@ -11,8 +11,8 @@
 //! Known weakness: A x B of absolute coordinates cancels with the square of the offset.
 
 use super::half_spaces::finish_sides;
-use super::{About, Corners, Kernel};
-use crate::number::{Element, Real, Vec3};
+use super::{About, Corners, Kernel, Source};
+use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray};
 
 /// See the module's text.
@@ -20,26 +20,29 @@ pub struct Plucker;
 
 /// One edge: direction and moment.
 #[derive(Clone, Copy)]
-struct Edge<R> {
+pub struct Edge<R> {
     direction: Vec3<R>,
     moment: Vec3<R>,
 }
 
+spread!(Edge { direction, moment });
+
 /// The edges AB, BC and CA, a corner and the normal.
 #[derive(Clone, Copy)]
 pub struct Met<R> {
-    edges: [Edge<R>; 3],
+    ab: Edge<R>,
+    bc: Edge<R>,
+    ca: Edge<R>,
     a: Vec3<R>,
     n: Vec3<R>,
 }
 
+spread!(Met { ab, bc, ca, a, n });
+
 impl<R: Real> Edge<R> {
     #[inline(always)]
-    fn of<P: Policy>(token: R::Token, from: Vec3<R::Element>, to: Vec3<R::Element>) -> Self {
-        Edge {
-            direction: Vec3::splat(token, to - from),
-            moment: Vec3::splat(token, P::cross(from, to)),
-        }
+    fn of<P: Policy>(from: Vec3<R>, to: Vec3<R>) -> Self {
+        Edge { direction: to - from, moment: P::cross(from, to) }
     }
     #[inline(always)]
     fn side<P: Policy>(&self, ray: &Ray<R>, moment: Vec3<R>) -> R {
@@ -58,26 +61,26 @@ impl Kernel for Plucker {
         watertight: false,
         codes: &["the sides differ, or det is 0", "t outside"],
     };
-    type Record<E: Element> = Corners<E>;
+    type Record<E: Element> = [E; 9];
     type Met<R: Real> = Met<R>;
     /// The ray's moment o x d.
     type Aim<R: Real> = Vec3<R>;
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
-        *corners
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 9] {
+        corners.numbers()
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, tri: &Corners<R::Element>) -> Met<R> {
-        let (e1, e2) = tri.edges();
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
+        let corners = Corners::read(stored, 0);
+        let (e1, e2) = corners.edges();
+        let Corners { a, b, c } = corners;
         Met {
-            edges: [
-                Edge::of::<P>(token, tri.a, tri.b),
-                Edge::of::<P>(token, tri.b, tri.c),
-                Edge::of::<P>(token, tri.c, tri.a),
-            ],
-            a: Vec3::splat(token, tri.a),
-            n: Vec3::splat(token, P::cross(e1, e2)),
+            ab: Edge::of::<P>(a, b),
+            bc: Edge::of::<P>(b, c),
+            ca: Edge::of::<P>(c, a),
+            a,
+            n: P::cross(e1, e2),
         }
     }
 
@@ -92,9 +95,11 @@ impl Kernel for Plucker {
         moment: &Vec3<R>,
         tri: &Met<R>,
     ) -> Result<Found<R>, Miss> {
-        let [ab, bc, ca] = &tri.edges;
-        let sides =
-            [bc.side::<P>(ray, *moment), ca.side::<P>(ray, *moment), ab.side::<P>(ray, *moment)];
+        let sides = [
+            tri.bc.side::<P>(ray, *moment),
+            tri.ca.side::<P>(ray, *moment),
+            tri.ab.side::<P>(ray, *moment),
+        ];
         finish_sides::<P, R>(ray, sides, tri.n, tri.a - ray.origin)
     }
 

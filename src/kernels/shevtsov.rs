@@ -11,36 +11,16 @@
 //! The note's det = 0 gives a NaN t that passes its range test; here det is tested.
 
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel};
-use crate::number::{Axis, Element, Real, Vec3, dominant};
+use super::{About, Corners, Kernel, Source};
+use crate::number::{Axis, Element, Real, Vec3, dominant, spread};
 use crate::policy::{BothFaces, Facing, Found, Miss, Policy, Ray};
 
 /// See the module's text.
 pub struct Shevtsov;
 
-/// The note's TriAccel.
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct TriAccel<E> {
-    /// Axis of projection; the two behind it in the cycle are u and v.
-    pub w: u32,
-    /// Index of the triangle (the note stores it; a batch counts for itself).
-    pub triangle: u32,
-    /// Carries the sign of n_w, for culling.
-    pub nw: E,
-    /// n . a / n_w
-    pub np: E,
-    /// n_u / n_w and n_v / n_w
-    pub n: [E; 2],
-    /// a_u and a_v
-    pub a: [E; 2],
-    /// (b - a) / n_w along u and v
-    pub e1: [E; 2],
-    /// (c - a) / n_w along u and v
-    pub e2: [E; 2],
-}
-
-/// The record in lanes.
+/// The note's TriAccel. In the record: the axis w (the two behind it in the cycle are u and v), an
+/// unused word (the note's index of the triangle; a batch counts for itself), the sign of n_w, for
+/// culling, and n . a / n_w; then, each along u and v, n / n_w, a, (b - a) / n_w and (c - a) / n_w.
 #[derive(Clone, Copy)]
 pub struct Met<R: Real> {
     w: Axis<R::Mask>,
@@ -53,6 +33,8 @@ pub struct Met<R: Real> {
     e2: [R; 2],
 }
 
+spread!(Met { w, nw, normal, np, n, a, e1, e2 });
+
 impl Kernel for Shevtsov {
     const ABOUT: About = About {
         id: "shevtsov",
@@ -64,11 +46,11 @@ impl Kernel for Shevtsov {
         watertight: false,
         codes: &["det is 0, or a back face when culled", "t outside", "u, v or u + v outside"],
     };
-    type Record<E: Element> = TriAccel<E>;
+    type Record<E: Element> = [E; 12];
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> TriAccel<E> {
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (e1, e2) = corners.edges();
         let n = plain_cross(e1, e2);
         let w = dominant(n);
@@ -77,31 +59,26 @@ impl Kernel for Shevtsov {
         let scaled = n.scaled(inverse);
         let plane = Vec3([scaled.0[iu], scaled.0[iv], E::ONE]);
         let a = Vec3([corners.a.0[iu], corners.a.0[iv], corners.a.0[iw]]);
-        TriAccel {
-            w,
-            triangle: 0,
-            nw: E::ONE.signed_by(n.0[iw]),
-            np: plain_dot(plane, a),
-            n: [scaled.0[iu], scaled.0[iv]],
-            a: [corners.a.0[iu], corners.a.0[iv]],
-            e1: [e1.0[iu] * inverse, e1.0[iv] * inverse],
-            e2: [e2.0[iu] * inverse, e2.0[iv] * inverse],
-        }
+        let (e1, e2) = (e1.scaled(inverse), e2.scaled(inverse));
+        let [n_u, n_v] = [scaled.0[iu], scaled.0[iv]];
+        let [e1_u, e1_v, e2_u, e2_v] = [e1.0[iu], e1.0[iv], e2.0[iu], e2.0[iv]];
+        let (index, sign, height) =
+            (E::from_index(w), E::ONE.signed_by(n.0[iw]), plain_dot(plane, a));
+        [index, E::ZERO, sign, height, n_u, n_v, a.x(), a.y(), e1_u, e1_v, e2_u, e2_v]
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &TriAccel<R::Element>) -> Met<R> {
-        let plane = [record.n[0], record.n[1], R::Element::ONE];
-        let normal = unprojected(Axis::stored(record.w), plane, record.nw);
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
+        let (w, nw, n) = (stored.axis(0), stored.number(2), stored.pair(4));
         Met {
-            w: Axis::stored(record.w),
-            nw: R::splat(token, record.nw),
-            normal: Vec3::splat(token, normal),
-            np: R::splat(token, record.np),
-            n: pair::<R>(token, record.n),
-            a: pair::<R>(token, record.a),
-            e1: pair::<R>(token, record.e1),
-            e2: pair::<R>(token, record.e2),
+            w,
+            nw,
+            normal: unprojected(w, [n[0], n[1], nw.one()], nw),
+            np: stored.number(3),
+            n,
+            a: stored.pair(6),
+            e1: stored.pair(8),
+            e2: stored.pair(10),
         }
     }
 
@@ -134,12 +111,6 @@ impl Kernel for Shevtsov {
     }
 }
 
-/// Two numbers, each in every lane.
-#[inline(always)]
-pub fn pair<R: Real>(token: R::Token, [first, second]: [R::Element; 2]) -> [R; 2] {
-    [R::splat(token, first), R::splat(token, second)]
-}
-
 /// p_u n_u + p_v n_v + p_w
 #[inline(always)]
 fn height<P: Policy, R: Real>(p: &Vec3<R>, tri: &Met<R>) -> R {
@@ -156,7 +127,7 @@ pub fn cycle(w: u32) -> [usize; 3] {
 /// The vector with components (u, v, w) along the axes of a projection, its sign that of `sign`.
 /// Of scalars, before they are broadcast: picking from what is computed goes through memory.
 #[inline(always)]
-pub fn unprojected<E: Element>(w: Axis<bool>, [pu, pv, pw]: [E; 3], sign: E) -> Vec3<E> {
+pub fn unprojected<R: Real>(w: Axis<R::Mask>, [pu, pv, pw]: [R; 3], sign: R) -> Vec3<R> {
     // Read backwards along the cycle: with w = x, (u, v) = (y, z), so x = pw, y = pu, z = pv.
     let x = w.pick(&Vec3([pw, pv, pu]));
     let y = w.pick(&Vec3([pu, pw, pv]));

@@ -9,20 +9,22 @@
 
 use super::half_spaces::contains_shares;
 use super::perpendicular_planes::point_on;
-use super::stored::plain_cross;
-use super::{About, Corners, Kernel, PointTest};
-use crate::number::{Element, Real, Vec3};
+use super::stored::{plain_cross, with_normal};
+use super::{About, Corners, Kernel, PointTest, Source};
+use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray, Scale};
 
 /// See the module's text.
 pub struct SignedAreas;
 
-/// Corners and normal.
+/// Corners and normal, in this order in the record.
 #[derive(Clone, Copy)]
-pub struct Record<R> {
+pub struct Met<R> {
     corners: Corners<R>,
     n: Vec3<R>,
 }
+
+spread!(Met { corners, n });
 
 impl Kernel for SignedAreas {
     const ABOUT: About = About {
@@ -35,25 +37,25 @@ impl Kernel for SignedAreas {
         watertight: false,
         codes: &["det is 0", "t outside", "on the outer side of an edge"],
     };
-    type Record<E: Element> = Record<E>;
-    type Met<R: Real> = Record<R>;
+    type Record<E: Element> = [E; 12];
+    type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Record<E> {
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (e1, e2) = corners.edges();
-        Record { corners: *corners, n: plain_cross(e1, e2) }
+        with_normal(corners, plain_cross(e1, e2))
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Record<R::Element>) -> Record<R> {
-        Record { corners: Corners::splat(token, &record.corners), n: Vec3::splat(token, record.n) }
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
+        Met { corners: Corners::read(stored, 0), n: stored.vector(9) }
     }
 
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Record<R>) -> Result<Found<R>, Miss> {
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let hit = P::keep(P::divisible(det), 1)?;
         let (t, scale) = P::quotient(P::dot(tri.n, tri.corners.a - ray.origin), det);
@@ -65,7 +67,7 @@ impl Kernel for SignedAreas {
     }
 
     #[inline(always)]
-    fn normal<P: Policy, R: Real>(tri: &Record<R>) -> Vec3<R> {
+    fn normal<P: Policy, R: Real>(tri: &Met<R>) -> Vec3<R> {
         tri.n
     }
 }
@@ -74,7 +76,7 @@ impl PointTest for SignedAreas {
     #[inline(always)]
     fn contains<P: Policy, R: Real>(
         point: &Vec3<R>,
-        tri: &Record<R>,
+        tri: &Met<R>,
     ) -> Result<(R::Mask, R, R), Miss> {
         let Corners { a, b, c } = tri.corners;
         let sides = [

@@ -4,8 +4,8 @@
 //! them no formula needs a unary minus. N points away from the side from which a, b, c is
 //! counter-clockwise.
 
-use super::Corners;
-use crate::number::{Element, Real, Vec3};
+use super::{Corners, Source};
+use crate::number::{Element, Real, Vec3, dominant, spread};
 use crate::policy::Policy;
 
 /// A storage form: from corners to a record, and back to corner, edges and N in lanes.
@@ -15,11 +15,11 @@ pub trait Stored: 'static {
     /// What is prepared, in words.
     const SETUP: &'static str;
     /// The record.
-    type Record<E: Element>: Copy + 'static;
+    type Record<E: Element>: AsRef<[E]> + Copy + 'static;
     /// Fills the record.
     fn prepare<E: Element>(corners: &Corners<E>) -> Self::Record<E>;
     /// What a test needs of it.
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Self::Record<R::Element>) -> Frame<R>;
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Frame<T>;
 }
 
 /// A corner, two edges and their cross product.
@@ -35,20 +35,25 @@ pub struct Frame<R> {
     pub n: Vec3<R>,
 }
 
-impl<R: Real> Frame<R> {
-    #[inline(always)]
-    fn of(corners: &Corners<R>, n: Vec3<R>) -> Self {
-        Frame { a: corners.a, ab: corners.b - corners.a, ca: corners.a - corners.c, n }
-    }
-    #[inline(always)]
-    fn splat(token: R::Token, f: Frame<R::Element>) -> Self {
-        Frame {
-            a: Vec3::splat(token, f.a),
-            ab: Vec3::splat(token, f.ab),
-            ca: Vec3::splat(token, f.ca),
-            n: Vec3::splat(token, f.n),
-        }
-    }
+spread!(Frame { a, ab, ca, n });
+
+/// The edges AB and CA.
+#[inline(always)]
+fn edges<R: Real>(corners: &Corners<R>) -> (Vec3<R>, Vec3<R>) {
+    (corners.b - corners.a, corners.a - corners.c)
+}
+
+/// A record of three corners and a normal.
+pub fn with_normal<E: Element>(corners: &Corners<E>, n: Vec3<E>) -> [E; 12] {
+    let ([ax, ay, az, bx, by, bz, cx, cy, cz], [nx, ny, nz]) = (corners.numbers(), n.0);
+    [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz]
+}
+
+/// A record of three corners, their plane n . p = n . a, and the axis of n's largest component.
+pub fn with_plane<E: Element>(corners: &Corners<E>, n: Vec3<E>) -> [E; 14] {
+    let [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz] = with_normal(corners, n);
+    let (nd, w) = (plain_dot(n, corners.a), E::from_index(dominant(n)));
+    [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, nd, w]
 }
 
 /// a x b, rounded at every operation, for what is prepared once.
@@ -75,45 +80,52 @@ pub struct Precomputed;
 impl Stored for Vertices {
     const NAME: &'static str = "vertices";
     const SETUP: &'static str = "none: three vertices";
-    type Record<E: Element> = Corners<E>;
+    type Record<E: Element> = [E; 9];
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Corners<E> {
-        *corners
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 9] {
+        corners.numbers()
     }
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Corners<R::Element>) -> Frame<R> {
-        let (ab, ca) = (record.b - record.a, record.a - record.c);
-        Frame::splat(token, Frame { a: record.a, ab, ca, n: P::cross(ab, ca) })
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Frame<T> {
+        let corners = Corners::read(stored, 0);
+        let (ab, ca) = edges(&corners);
+        Frame { a: corners.a, ab, ca, n: P::cross(ab, ca) }
     }
 }
 
 impl Stored for WithNormal {
     const NAME: &'static str = "normal";
     const SETUP: &'static str = "the normal";
-    type Record<E: Element> = (Corners<E>, Vec3<E>);
+    type Record<E: Element> = [E; 12];
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> (Corners<E>, Vec3<E>) {
-        (*corners, plain_cross(corners.b - corners.a, corners.a - corners.c))
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
+        let (ab, ca) = edges(corners);
+        with_normal(corners, plain_cross(ab, ca))
     }
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(
-        token: R::Token,
-        (corners, n): &(Corners<R::Element>, Vec3<R::Element>),
-    ) -> Frame<R> {
-        Frame::splat(token, Frame::of(corners, *n))
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Frame<T> {
+        let corners = Corners::read(stored, 0);
+        let (ab, ca) = edges(&corners);
+        Frame { a: corners.a, ab, ca, n: stored.vector(9) }
     }
 }
 
 impl Stored for Precomputed {
     const NAME: &'static str = "precomputed";
     const SETUP: &'static str = "two edges and the normal";
-    type Record<E: Element> = Frame<E>;
+    type Record<E: Element> = [E; 12];
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Frame<E> {
-        Frame::of(corners, plain_cross(corners.b - corners.a, corners.a - corners.c))
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
+        let (b, c) = edges(corners);
+        with_normal(&Corners { a: corners.a, b, c }, plain_cross(b, c))
     }
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Frame<R::Element>) -> Frame<R> {
-        Frame::splat(token, *record)
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Frame<T> {
+        Frame {
+            a: stored.vector(0),
+            ab: stored.vector(3),
+            ca: stored.vector(6),
+            n: stored.vector(9),
+        }
     }
 }

@@ -8,34 +8,19 @@
 //! 10 x, 12 +-, 1 /; divided last 18 x (15 before the last test).
 //! Known weakness: the plane's constant cancels far from the origin; slivers lose u and v twice.
 
+use super::perpendicular_planes::planes;
 use super::shevtsov::{cycle, unprojected};
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel};
-use crate::number::{Axis, Element, Real, Vec3, dominant};
+use super::{About, Corners, Kernel, Source};
+use crate::number::{Axis, Element, Real, Vec3, dominant, spread};
 use crate::policy::{Found, Miss, Policy, Ray, Scale};
 
 /// See the module's text.
 pub struct Wald;
 
-/// Three times three constants and a word of padding each; the first pad holds the axis.
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct TriAccel<E> {
-    /// n_u / n_w, n_v / n_w, n . a / n_w
-    pub n: [E; 3],
-    /// Axis of projection.
-    pub w: u32,
-    /// b_u, b_v, b_d
-    pub b: [E; 3],
-    /// Carries the sign of n_w (the original leaves the word unused).
-    pub nw: E,
-    /// c_u, c_v, c_d
-    pub c: [E; 3],
-    /// Unused, as in the original.
-    pub unused: u32,
-}
-
-/// The record in lanes.
+/// TriAccel: three times three constants and a word of padding each. In the record: n_u / n_w,
+/// n_v / n_w, n . a / n_w and the axis w; b_u, b_v, b_d and the sign of n_w (the original leaves that
+/// word unused); c_u, c_v, c_d and an unused word.
 #[derive(Clone, Copy)]
 pub struct Met<R: Real> {
     w: Axis<R::Mask>,
@@ -44,6 +29,8 @@ pub struct Met<R: Real> {
     c: Vec3<R>,
     normal: Vec3<R>,
 }
+
+spread!(Met { w, n, b, c, normal });
 
 impl Kernel for Wald {
     const ABOUT: About = About {
@@ -56,11 +43,11 @@ impl Kernel for Wald {
         watertight: false,
         codes: &["det is 0", "t outside", "u, v or u + v outside"],
     };
-    type Record<E: Element> = TriAccel<E>;
+    type Record<E: Element> = [E; 12];
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> TriAccel<E> {
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (ab, ac) = corners.edges();
         let n = plain_cross(ab, ac);
         let w = dominant(n);
@@ -70,27 +57,17 @@ impl Kernel for Wald {
         let plane = Vec3([n.0[iu] * inverse, n.0[iv] * inverse, E::ONE]);
         let a = Vec3([corners.a.0[iu], corners.a.0[iv], corners.a.0[iw]]);
         let (au, av) = (a.x(), a.y());
-        TriAccel {
-            n: [plane.x(), plane.y(), plain_dot(plane, a)],
-            w,
-            b: [ac.0[iv] * inverse, -ac.0[iu] * inverse, (av * ac.0[iu] - au * ac.0[iv]) * inverse],
-            nw: E::ONE.signed_by(n.0[iw]),
-            c: [-ab.0[iv] * inverse, ab.0[iu] * inverse, (au * ab.0[iv] - av * ab.0[iu]) * inverse],
-            unused: 0,
-        }
+        let b = Vec3([ac.0[iv], -ac.0[iu], av * ac.0[iu] - au * ac.0[iv]]).scaled(inverse);
+        let c = Vec3([-ab.0[iv], ab.0[iu], au * ab.0[iv] - av * ab.0[iu]]).scaled(inverse);
+        let plane = Vec3([plane.x(), plane.y(), plain_dot(plane, a)]);
+        planes([(plane, E::from_index(w)), (b, E::ONE.signed_by(n.0[iw])), (c, E::ZERO)])
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &TriAccel<R::Element>) -> Met<R> {
-        let plane = [record.n[0], record.n[1], R::Element::ONE];
-        let normal = unprojected(Axis::stored(record.w), plane, record.nw);
-        Met {
-            w: Axis::stored(record.w),
-            n: Vec3::splat(token, Vec3(record.n)),
-            b: Vec3::splat(token, Vec3(record.b)),
-            c: Vec3::splat(token, Vec3(record.c)),
-            normal: Vec3::splat(token, normal),
-        }
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
+        let (w, n, nw) = (stored.axis(3), stored.vector(0), stored.number(7));
+        let normal = unprojected(w, [n.x(), n.y(), nw.one()], nw);
+        Met { w, n, b: stored.vector(4), c: stored.vector(8), normal }
     }
 
     #[inline(always)]

@@ -11,9 +11,10 @@
 //! Known weakness: the offsets cancel far from the origin; |n|^2 has degree 4, so it leaves the range
 //! of f32 for triangles below 1e-10 and above 1e9.
 
+use super::perpendicular_planes::planes;
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel};
-use crate::number::{Element, Real, Vec3};
+use super::{About, Corners, Kernel, Source};
+use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray};
 
 /// See the module's text.
@@ -21,22 +22,22 @@ pub struct WoopAffine;
 
 /// A row of the transformation: three factors and the offset.
 #[derive(Clone, Copy)]
-#[repr(C)]
 pub struct Row<R> {
     factors: Vec3<R>,
     offset: R,
 }
 
-impl<E: Element> Row<E> {
-    fn through(factors: Vec3<E>, corners: &Corners<E>) -> Self {
-        Row { factors, offset: -plain_dot(factors, corners.a) }
-    }
+spread!(Row { factors, offset });
+
+/// The row with these factors that takes vertex a to 0.
+fn through<E: Element>(factors: Vec3<E>, corners: &Corners<E>) -> (Vec3<E>, E) {
+    (factors, -plain_dot(factors, corners.a))
 }
 
 impl<R: Real> Row<R> {
     #[inline(always)]
-    fn splat(token: R::Token, row: &Row<R::Element>) -> Self {
-        Row { factors: Vec3::splat(token, row.factors), offset: R::splat(token, row.offset) }
+    fn read<S: Source<R>>(stored: &S, place: usize) -> Self {
+        Row { factors: stored.vector(place), offset: stored.number(place + 3) }
     }
     /// The component of the origin.
     #[inline(always)]
@@ -50,14 +51,15 @@ impl<R: Real> Row<R> {
     }
 }
 
-/// The rows, z first: it decides first.
+/// The rows, z first, as in the record: it decides first.
 #[derive(Clone, Copy)]
-#[repr(C)]
 pub struct Rows<R> {
     z: Row<R>,
     x: Row<R>,
     y: Row<R>,
 }
+
+spread!(Rows { z, x, y });
 
 impl Kernel for WoopAffine {
     const ABOUT: About = About {
@@ -70,28 +72,24 @@ impl Kernel for WoopAffine {
         watertight: false,
         codes: &["det is 0", "t outside", "u outside", "v or u + v outside"],
     };
-    type Record<E: Element> = Rows<E>;
+    type Record<E: Element> = [E; 12];
     type Met<R: Real> = Rows<R>;
     type Aim<R: Real> = ();
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> Rows<E> {
+    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (ab, ac) = corners.edges();
         let n = plain_cross(ab, ac);
         let inverse = E::ONE / plain_dot(n, n);
-        Rows {
-            z: Row::through(n.scaled(inverse), corners),
-            x: Row::through(plain_cross(ac, n).scaled(inverse), corners),
-            y: Row::through(plain_cross(n, ab).scaled(inverse), corners),
-        }
+        planes([
+            through(n.scaled(inverse), corners),
+            through(plain_cross(ac, n).scaled(inverse), corners),
+            through(plain_cross(n, ab).scaled(inverse), corners),
+        ])
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Rows<R::Element>) -> Rows<R> {
-        Rows {
-            z: Row::splat(token, &record.z),
-            x: Row::splat(token, &record.x),
-            y: Row::splat(token, &record.y),
-        }
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Rows<T> {
+        Rows { z: Row::read(stored, 0), x: Row::read(stored, 4), y: Row::read(stored, 8) }
     }
 
     #[inline(always)]

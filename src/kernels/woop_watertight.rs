@@ -22,7 +22,7 @@
 
 use std::marker::PhantomData;
 
-use super::{About, Corners, Edges, Kernel};
+use super::{About, Corners, Edges, Kernel, Source};
 use crate::number::{Axis, Element, Real, Vec3};
 use crate::policy::{Found, Miss, Policy, Ray, Rounding};
 
@@ -66,17 +66,17 @@ impl<E: Edges> Kernel for WoopWatertight<E> {
         watertight: true,
         codes: &["on different sides of two edges, or det is 0", "t outside"],
     };
-    type Record<T: Element> = Corners<T>;
+    type Record<T: Element> = [T; 9];
     type Met<R: Real> = Corners<R>;
     type Aim<R: Real> = Aim<R>;
 
-    fn prepare<T: Element>(corners: &Corners<T>) -> Corners<T> {
-        *corners
+    fn prepare<T: Element>(corners: &Corners<T>) -> [T; 9] {
+        corners.numbers()
     }
 
     #[inline(always)]
-    fn meet<P: Policy, R: Real>(token: R::Token, record: &Corners<R::Element>) -> Corners<R> {
-        Corners::splat(token, record)
+    fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Corners<T> {
+        Corners::read(stored, 0)
     }
 
     #[inline(always)]

@@ -15,6 +15,19 @@ pub enum Axis<M> {
 }
 
 impl<M: Mask> Axis<M> {
+    /// The axis whose index was stored as a number ([`Element::from_index`]), per lane.
+    #[inline(always)]
+    pub fn of_index<R: Real<Mask = M>>(index: R) -> Self {
+        if R::LANES == 1 {
+            let mut place = [R::Element::ZERO];
+            index.store(&mut place);
+            Axis::stored(place[0].index())
+        } else {
+            let (x, y) = (R::Element::from_index(0), R::Element::from_index(1));
+            Axis::Lanes(!index.ne(index.like(x)), !index.ne(index.like(y)))
+        }
+    }
+
     /// A stored axis. Values above 2 cannot be stored by us; the clamp tells the optimiser so.
     #[inline(always)]
     pub fn stored(axis: u32) -> Self {

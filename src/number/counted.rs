@@ -148,6 +148,12 @@ impl<T: Element> Element for Counted<T> {
     fn from_bits(bits: u64) -> Self {
         Counted(T::from_bits(bits))
     }
+    fn from_index(index: u32) -> Self {
+        Counted(T::from_index(index))
+    }
+    fn index(self) -> u32 {
+        self.0.index()
+    }
     fn sqrt(self) -> Self {
         Counted(self.0.sqrt())
     }

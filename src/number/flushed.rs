@@ -115,6 +115,12 @@ impl<T: Element> Element for Flushed<T> {
     fn from_bits(bits: u64) -> Self {
         Flushed(T::from_bits(bits))
     }
+    fn from_index(index: u32) -> Self {
+        Flushed(T::from_index(index))
+    }
+    fn index(self) -> u32 {
+        self.0.index()
+    }
     fn sqrt(self) -> Self {
         Flushed(flush(flush(self.0).sqrt()))
     }

@@ -17,6 +17,7 @@ mod flushed;
 mod lanes;
 mod precision;
 mod scalar;
+mod spread;
 mod vector;
 
 pub use axis::{Axis, dominant};
@@ -24,6 +25,8 @@ pub use counted::{Counted, Operations, count};
 pub use flushed::Flushed;
 pub use lanes::{LaneMask, Lanes};
 pub use precision::{Precision, exponent, power_of_two};
+pub use spread::Spread;
+pub(crate) use spread::spread;
 pub use vector::Vec3;
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -152,6 +155,14 @@ pub trait Element: Real<Element = Self, Mask = bool, Token = ()> {
     fn bits(self) -> u64;
     /// The number with that bit pattern ([`Element::ZERO`] for types that have none).
     fn from_bits(bits: u64) -> Self;
+    /// An index below 3 as a number that memory holds, and that compares with others of its kind.
+    fn from_index(index: u32) -> Self {
+        Self::from_f32(index as f32)
+    }
+    /// The index that [`Element::from_index`] made a number of.
+    fn index(self) -> u32 {
+        self.to_f64() as u32
+    }
     /// Square root, for what is prepared and for the sum of angles.
     fn sqrt(self) -> Self;
     /// Arc cosine from `libm`, the same on every machine; only the sum of angles calls it.

@@ -126,6 +126,15 @@ macro_rules! scalar {
             fn from_bits(bits: u64) -> Self {
                 <$float>::from_bits(bits as $bits)
             }
+            /// The bits themselves, so that no conversion stands between memory and an address.
+            #[inline(always)]
+            fn from_index(index: u32) -> Self {
+                <$float>::from_bits($bits::from(index))
+            }
+            #[inline(always)]
+            fn index(self) -> u32 {
+                self.to_bits() as u32
+            }
             #[inline(always)]
             fn sqrt(self) -> Self {
                 <$float>::sqrt(self)
