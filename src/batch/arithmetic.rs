@@ -35,7 +35,7 @@ impl<L: Level, R: Real + On<L>> Batch<L> for Arithmetic<R> {
                 *sum = *sum * one + zero;
             }
         }
-        let mut lanes = [R::Element::ZERO; super::nearest::WIDEST];
+        let mut lanes = [R::Element::ZERO; super::WIDEST];
         let mut bits = 0u64;
         for sum in sums {
             sum.store(&mut lanes);

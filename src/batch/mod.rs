@@ -5,16 +5,25 @@
 
 mod aligned;
 mod arithmetic;
+mod best;
+mod bundle;
 mod data;
+mod group;
+mod layout;
 mod listed;
 mod nearest;
+mod nearest_job;
 mod pairs;
 mod points;
 
 pub use arithmetic::{ArithmeticJob, OPERATIONS};
-pub use data::{NearestJob, NearestLoop, PairsJob, PairsLoop, widened};
+pub use bundle::Bundle;
+pub use data::{PairsJob, PairsLoop, widened};
+pub use group::Group;
+pub use layout::{Aos, Aosoa, Layout, Soa};
 pub use listed::Listed;
-pub use nearest::Nearest;
+pub use nearest::{Nearest, WIDEST};
+pub use nearest_job::{NearestJob, NearestLoop, Shape, Storing};
 pub use pairs::Pairs;
 pub use points::Points;
 

@@ -3,30 +3,30 @@
 use std::hint::black_box;
 use std::marker::PhantomData;
 
-use super::surface_point;
+use super::best::{ANSWER_NUMBERS, Best};
+use super::layout::{Aos, Layout};
 use crate::kernels::Kernel;
 use crate::level::{Batch, Level, On};
-use crate::number::{Element, Real, Vec3};
-use crate::policy::{Exit, Found, Output, Policy, Ray};
+use crate::number::{Element, Real, Spread, Vec3};
+use crate::policy::{Policy, Ray, Sharing};
 
-/// The widest packet that there is, in rays.
-pub const WIDEST: usize = 16;
+/// The longest packet that there is, in rays.
+pub const WIDEST: usize = 64;
 
 /// Numbers of a ray: origin, direction, end, t_min, t_max.
 pub const RAY_NUMBERS: usize = 11;
 
-/// Numbers of an answer: triangle (as a number; -1 without a hit), t, u, v, point, normal.
-pub const ANSWER_NUMBERS: usize = 10;
-
-/// One loop over packets of rays and all triangles.
-pub struct Nearest<K, P, R>(PhantomData<(K, P, R)>);
+/// One loop over packets of rays and all triangles, stored in layout `Y`.
+pub struct Nearest<K, P, R, Y = Aos>(PhantomData<(K, P, R, Y)>);
 
 /// What the loop reads and writes.
-pub struct Scene<'a, E, T> {
+pub struct Scene<'a, E> {
     /// Packets of rays, [`RAY_NUMBERS`] rows of [`Real::LANES`] numbers each.
     pub rays: &'a [E],
-    /// Every triangle's record. Fewer than 2^24, so that an index is a number of either precision.
-    pub records: &'a [T],
+    /// Every triangle's numbers, in the order of a layout.
+    pub numbers: &'a [E],
+    /// Triangles. Fewer than 2^24, so that an index is a number of either precision.
+    pub triangles: usize,
     /// Answers of the packets, [`ANSWER_NUMBERS`] rows of [`Real::LANES`] numbers each.
     pub answers: &'a mut [E],
 }
@@ -39,79 +39,55 @@ pub struct Scene<'a, E, T> {
 #[expect(dead_code, reason = "only its place matters")]
 struct Anchor(u8);
 
-/// What is known of a packet so far.
-#[derive(Clone, Copy)]
-struct Best<R: Real> {
-    hit: R::Mask,
-    triangle: R,
-    t: R,
-    u: R,
-    v: R,
-    normal: Vec3<R>,
-}
-
-impl<R: Real> Best<R> {
-    /// Takes over a hit where it is nearer. With `t` wanted, the triangle says whether there is a
-    /// hit; without, the mask does: either way it is one register less in the loop.
-    #[inline(always)]
-    fn update<P: Policy>(&mut self, ray: &mut Ray<R>, found: &Found<R>, index: R, normal: Vec3<R>) {
-        if !P::Output::T {
-            self.hit = self.hit | found.hit;
-            return;
-        }
-        let nearer = found.hit & found.t.lt(self.t);
-        let Found { t, u, v, .. } = *found;
-        if P::Output::SURFACE {
-            let ([x, y, z], [ox, oy, oz]) = (normal.0, self.normal.0);
-            let old = [self.t, self.triangle, self.u, self.v, ox, oy, oz];
-            let new = P::Exit::select(nearer, [t, index, u, v, x, y, z], old);
-            [self.t, self.triangle, self.u, self.v] = [new[0], new[1], new[2], new[3]];
-            self.normal = Vec3([new[4], new[5], new[6]]);
-        } else if P::Output::UV {
-            let old = [self.t, self.triangle, self.u, self.v];
-            let new = P::Exit::select(nearer, [t, index, u, v], old);
-            [self.t, self.triangle, self.u, self.v] = new;
-        } else {
-            let new = P::Exit::select(nearer, [t, index], [self.t, self.triangle]);
-            [self.t, self.triangle] = new;
-        }
-        ray.t_max = self.t;
+/// Has the frame aligned that it is inlined into. See [`Anchor`].
+#[inline(always)]
+pub fn align_frame<R: Real>() {
+    if size_of::<R>() > 16 {
+        let anchor = Anchor(0);
+        black_box(&anchor);
     }
 }
 
-impl<L, K, P, R> Batch<L> for Nearest<K, P, R>
+/// Numbers of a kernel's record.
+pub const fn places<K: Kernel, E: Element>() -> usize {
+    size_of::<K::Record<E>>() / size_of::<E>()
+}
+
+impl<L, K, P, R, Y> Batch<L> for Nearest<K, P, R, Y>
 where
     L: Level,
     K: Kernel,
     P: Policy,
     R: Real + On<L>,
+    Y: Layout,
 {
-    type Data<'a> = Scene<'a, R::Element, K::Record<R::Element>>;
+    type Data<'a> = Scene<'a, R::Element>;
     type Yield = ();
 
     #[inline(always)]
     fn run(token: L::Token, scene: Self::Data<'_>) {
         let token = R::token_on(token);
-        if size_of::<R>() > 16 {
-            // See [`Anchor`].
-            let anchor = Anchor(0);
-            black_box(&anchor);
-        }
-        let packets = scene.rays.chunks_exact(RAY_NUMBERS * R::LANES);
-        let answers = scene.answers.chunks_exact_mut(ANSWER_NUMBERS * R::LANES);
+        align_frame::<R>();
+        let Scene { rays, numbers, triangles, answers } = scene;
+        let packets = rays.chunks_exact(RAY_NUMBERS * R::LANES);
+        let answers = answers.chunks_exact_mut(ANSWER_NUMBERS * R::LANES);
         for (packet, answer) in packets.zip(answers) {
-            let mut ray = load::<R>(token, packet);
-            let best = walk::<K, P, R>(token, &mut ray, scene.records);
-            write::<P, R>(&ray, &best, answer);
+            let mut ray = load::<P, R>(token, packet);
+            let triangles = Y::walk(numbers, places::<K, R::Element>(), triangles);
+            let best = walk::<K, P, R, Y>(token, &mut ray, triangles);
+            best.write::<P>(&ray, answer);
         }
     }
 }
 
+/// A packet of rays. What they share is taken from the first.
 #[inline(always)]
-fn load<R: Real>(token: R::Token, packet: &[R::Element]) -> Ray<R> {
+pub fn load<P: Policy, R: Real>(token: R::Token, packet: &[R::Element]) -> Ray<R> {
     let mut rows = [R::splat(token, R::Element::ZERO); RAY_NUMBERS];
-    for (row, numbers) in rows.iter_mut().zip(packet.chunks_exact(R::LANES)) {
-        *row = R::load(token, numbers);
+    for (place, (row, numbers)) in rows.iter_mut().zip(packet.chunks_exact(R::LANES)).enumerate() {
+        let shared =
+            P::Sharing::ORIGIN && place < 3 || P::Sharing::DIRECTION && (3..6).contains(&place);
+        *row = if shared { R::splat(token, numbers[0]) } else { R::load(token, numbers) };
     }
     let [ox, oy, oz, dx, dy, dz, ex, ey, ez, t_min, t_max] = rows;
     Ray {
@@ -125,54 +101,25 @@ fn load<R: Real>(token: R::Token, packet: &[R::Element]) -> Ray<R> {
 
 /// All triangles. `ray.t_max` shrinks, except where only the hit itself is wanted.
 #[inline(always)]
-fn walk<K: Kernel, P: Policy, R: Real>(
+fn walk<K: Kernel, P: Policy, R: Real, Y: Layout>(
     token: R::Token,
     ray: &mut Ray<R>,
-    records: &[K::Record<R::Element>],
+    triangles: Y::Walk<'_, R::Element>,
 ) -> Best<R> {
-    let nothing = R::splat(token, R::Element::ZERO);
-    let mut best = Best {
-        hit: R::mask(token, false),
-        triangle: -R::splat(token, R::Element::ONE),
-        t: ray.t_max,
-        u: nothing,
-        v: nothing,
-        normal: Vec3([nothing; 3]),
-    };
+    let mut best = Best::nothing(token, ray);
     let aim = K::aim::<P, R>(ray);
     let one = R::splat(token, R::Element::ONE);
-    let mut index = nothing;
-    for record in records {
+    let mut index = R::splat(token, R::Element::ZERO);
+    for triangle in triangles {
         if R::LANES == 1 {
             // A single ray must not be tested against several triangles at once.
             black_box(());
         }
-        let met = K::meet::<P, R>(token, record);
+        let met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
         if let Ok(found) = K::test::<P, R>(ray, &aim, &met) {
             best.update::<P>(ray, &found, index, K::normal::<P, R>(&met));
         }
         index = index + one;
     }
     best
-}
-
-/// Stores a packet's answer.
-#[inline(always)]
-fn write<P: Policy, R: Real>(ray: &Ray<R>, best: &Best<R>, answer: &mut [R::Element]) {
-    let point = if P::Output::SURFACE {
-        surface_point(ray.origin, ray.direction, best.t)
-    } else {
-        best.normal
-    };
-    let [x, y, z] = point.0;
-    let [nx, ny, nz] = best.normal.0;
-    // Where only the hit is wanted no triangle was noted; 0 stands for "one of them".
-    let mut triangle = [best.triangle];
-    if !P::Output::T {
-        triangle = P::Exit::select(best.hit, [best.triangle.zero()], triangle);
-    }
-    let rows = [triangle[0], best.t, best.u, best.v, x, y, z, nx, ny, nz];
-    for (row, place) in rows.into_iter().zip(answer.chunks_exact_mut(R::LANES)) {
-        row.store(place);
-    }
 }

@@ -1,6 +1,6 @@
 //! The product of the axes, readable from top to bottom: one small generic function per axis.
 
-use crate::batch::{Nearest, NearestLoop, Pairs, PairsLoop};
+use crate::batch::{Aos, Nearest, NearestLoop, Pairs, PairsLoop, Shape, Storing};
 use crate::kernels::{Kernel, MollerTrumbore};
 use crate::level::{self, Level, On, enter};
 use crate::number::Element;
@@ -209,9 +209,13 @@ where
         copy: COPY,
         ..Axes::usual(K::ABOUT.id, R::Element::NAME, L::NAME)
     };
-    let outputs = [usize::from(O::T), 2 * usize::from(O::UV), 6 * usize::from(O::SURFACE)];
-    let shape = (R::LANES, outputs.iter().sum());
+    let shape = Shape { lanes: R::LANES, rays: R::LANES, outputs: numbers::<O>() };
     push::<K, R::Element>(v, axes, level::available::<L>, shape, pairs, nearest);
+}
+
+/// How many numbers of an answer are reported.
+pub fn numbers<O: Output>() -> usize {
+    usize::from(O::T) + 2 * usize::from(O::UV) + 6 * usize::from(O::SURFACE)
 }
 
 /// What is the same for all forms of a kernel over an element type.
@@ -219,9 +223,9 @@ fn push<K: Offers, E: Element>(
     v: &mut Vec<Variant>,
     axes: Axes,
     available: fn() -> bool,
-    shape: (usize, usize),
+    shape: Shape,
     pairs: OptionalPairs<K, E>,
-    nearest: NearestLoop<E, K::Record<E>>,
+    nearest: NearestLoop<E>,
 ) {
     v.push(Variant {
         axes,
@@ -229,8 +233,8 @@ fn push<K: Offers, E: Element>(
         bytes_per_triangle: size_of::<K::Record<E>>(),
         available,
         pairs: pairs.map(|run| bind_pairs(K::prepare::<E>, run, exit_code::<K, E>)),
-        nearest: Some(bind_nearest(shape, K::prepare::<E>, nearest)),
-        lanes: shape.0,
+        nearest: Some(bind_nearest(shape, K::prepare::<E>, Storing::of::<Aos>(), nearest)),
+        lanes: shape.rays,
     });
 }
 

@@ -18,7 +18,7 @@ pub use offers::{Offers, Other};
 
 use std::sync::LazyLock;
 
-use crate::batch::{NearestJob, PairsJob, widened};
+use crate::batch::{NearestJob, NearestLoop, PairsJob, Shape, Storing, widened};
 use crate::job::Job;
 use crate::kernels::{About, Corners};
 use crate::number::{Element, Vec3};
@@ -129,15 +129,16 @@ fn bind_pairs<E: Element, T: Copy + 'static>(
     })
 }
 
-/// A binder over packets of rays and all triangles; `shape` is the lanes and the outputs.
+/// A binder over rays and all triangles.
 fn bind_nearest<E: Element, T: Copy + 'static>(
-    shape: (usize, usize),
+    shape: Shape,
     prepare: fn(&Corners<E>) -> T,
-    run: crate::batch::NearestLoop<E, T>,
+    storing: Storing<E, T>,
+    run: NearestLoop<E>,
 ) -> Binder {
     Box::new(move |rays, triangles| {
         let rays: Vec<Ray<E>> = rays.iter().map(widened).collect();
         let records = triangles.iter().map(|triangle| prepare(&corners(triangle))).collect();
-        Box::new(NearestJob::new(shape, &rays, records, run))
+        Box::new(NearestJob::new(shape, &rays, records, storing, run))
     })
 }

@@ -1,0 +1,201 @@
+//! Prepared rays and triangles behind a [`Job`], generic over kernel and element only.
+
+use std::hint::black_box;
+
+use super::aligned::Aligned;
+use super::best::ANSWER_NUMBERS;
+use super::layout::{Layout, lay_out, length};
+use super::nearest::{RAY_NUMBERS, Scene};
+use crate::job::{Answer, Block, Job, Tally};
+use crate::number::Element;
+use crate::policy::Ray;
+
+/// The compiled loop of a form over rays and all triangles.
+pub type NearestLoop<E> = fn(Scene<'_, E>);
+
+/// How a loop over rays and all triangles wants its data.
+#[derive(Clone, Copy, Debug)]
+pub struct Shape {
+    /// Rays whose numbers lie side by side: those of a packet.
+    pub lanes: usize,
+    /// Rays of an item: those of a packet, or of a bundle.
+    pub rays: usize,
+    /// How many numbers of an answer are reported: 0, t, with u and v, or all 9.
+    pub outputs: usize,
+}
+
+/// How records are written in a layout.
+#[derive(Clone, Copy)]
+pub struct Storing<E, T> {
+    length: fn(&[T]) -> usize,
+    lay_out: fn(&[T], &mut [E]),
+}
+
+impl<E: Element, T: AsRef<[E]>> Storing<E, T> {
+    /// In layout `Y`.
+    pub fn of<Y: Layout>() -> Self {
+        Storing { length: length::<E, T, Y>, lay_out: lay_out::<E, T, Y> }
+    }
+}
+
+/// Rays and records with the loop that tests them.
+pub struct NearestJob<E, T> {
+    shape: Shape,
+    original: Vec<E>,
+    laid_out: Aligned<E>,
+    original_records: Vec<T>,
+    permuted: Vec<T>,
+    storing: Storing<E, T>,
+    numbers: Aligned<E>,
+    answers: Aligned<E>,
+    run: NearestLoop<E>,
+}
+
+impl<E: Element, T: Copy> NearestJob<E, T> {
+    /// A job over `rays`, whose number is a multiple of the shape's, and `records`.
+    pub fn new(
+        shape: Shape,
+        rays: &[Ray<E>],
+        records: Vec<T>,
+        storing: Storing<E, T>,
+        run: NearestLoop<E>,
+    ) -> Self {
+        let mut original = Vec::with_capacity(rays.len() * RAY_NUMBERS);
+        for packet in rays.chunks_exact(shape.lanes) {
+            for row in 0..RAY_NUMBERS {
+                original.extend(packet.iter().map(|ray| ray_number(ray, row)));
+            }
+        }
+        let mut numbers = vec![E::ZERO; (storing.length)(&records)];
+        (storing.lay_out)(&records, &mut numbers);
+        NearestJob {
+            shape,
+            laid_out: Aligned::new(&original),
+            original,
+            numbers: Aligned::new(&numbers),
+            permuted: records.clone(),
+            original_records: records,
+            storing,
+            answers: Aligned::new(&vec![E::ZERO; rays.len() * ANSWER_NUMBERS]),
+            run,
+        }
+    }
+}
+
+/// The `row`-th number of a ray, in the order of [`RAY_NUMBERS`].
+fn ray_number<E: Element>(ray: &Ray<E>, row: usize) -> E {
+    match row {
+        0..3 => ray.origin.0[row],
+        3..6 => ray.direction.0[row - 3],
+        6..9 => ray.end.0[row - 6],
+        9 => ray.t_min,
+        _ => ray.t_max,
+    }
+}
+
+/// The tally of packets' answers, of which the first `outputs` numbers are reported. Here, once per
+/// element type, rather than in every form: a packet has been through all triangles by then.
+fn sum<E: Element>(answers: &[E], lanes: usize, outputs: usize) -> Tally {
+    let mut tally = Tally::default();
+    for packet in answers.chunks_exact(ANSWER_NUMBERS * lanes) {
+        let (triangles, numbers) = packet.split_at(lanes);
+        for (sum, row) in tally.bits.iter_mut().zip(numbers.chunks_exact(lanes)).take(outputs) {
+            for (number, triangle) in row.iter().zip(triangles) {
+                *sum = sum.wrapping_add(number.bits() & keep(*triangle));
+            }
+        }
+        tally.hits += triangles.iter().map(|triangle| keep(*triangle) & 1).sum::<u64>();
+    }
+    tally
+}
+
+/// All bits where a triangle was hit, none where its number is -1.
+fn keep<E: Element>(triangle: E) -> u64 {
+    u64::from(triangle.ge(E::ZERO)).wrapping_neg()
+}
+
+impl<E: Element, T: Copy> Job for NearestJob<E, T> {
+    fn items(&self) -> usize {
+        self.laid_out.len() / (RAY_NUMBERS * self.shape.rays)
+    }
+
+    fn tests_per_item(&self) -> u64 {
+        (self.shape.rays * self.original_records.len()) as u64
+    }
+
+    fn run(&mut self, block: Block) -> Tally {
+        let (ray, answer) = (RAY_NUMBERS * self.shape.rays, ANSWER_NUMBERS * self.shape.rays);
+        let mut tally = Tally::default();
+        let mut run = |first: usize, items: usize| {
+            let scene = Scene {
+                rays: &self.laid_out[first * ray..(first + items) * ray],
+                numbers: &self.numbers,
+                triangles: self.original_records.len(),
+                answers: &mut self.answers[first * answer..(first + items) * answer],
+            };
+            (self.run)(scene);
+            let found = &self.answers[first * answer..(first + items) * answer];
+            tally = tally.plus(sum(found, self.shape.lanes, self.shape.outputs));
+        };
+        if block.literal {
+            for first in block.first..block.first + block.items {
+                (0..block.repeats).for_each(|_| run(first, 1));
+            }
+        } else {
+            (0..block.repeats).for_each(|_| run(block.first, block.items));
+        }
+        tally
+    }
+
+    fn permute(&mut self, permutation: &[u32]) {
+        let ray = RAY_NUMBERS * self.shape.rays;
+        for (place, &from) in self.laid_out.chunks_exact_mut(ray).zip(permutation) {
+            place.copy_from_slice(&self.original[from as usize * ray..][..ray]);
+        }
+    }
+
+    fn shared_records(&self) -> usize {
+        self.original_records.len()
+    }
+
+    fn permute_shared(&mut self, permutation: &[u32]) {
+        for (place, &from) in self.permuted.iter_mut().zip(permutation) {
+            *place = self.original_records[from as usize];
+        }
+        (self.storing.lay_out)(&self.permuted, &mut self.numbers);
+    }
+
+    fn touch(&mut self, block: Block) {
+        let ray = RAY_NUMBERS * self.shape.rays;
+        for number in &self.laid_out[block.first * ray..][..block.items * ray] {
+            black_box(*number);
+        }
+        for number in self.numbers.iter() {
+            black_box(*number);
+        }
+    }
+
+    fn answers(&mut self) -> Vec<Answer> {
+        self.laid_out.copy_from_slice(&self.original);
+        (self.storing.lay_out)(&self.original_records, &mut self.numbers);
+        self.run(Block::whole(self));
+        let lanes = self.shape.lanes;
+        let mut answers = Vec::with_capacity(self.items() * self.shape.rays);
+        for packet in self.answers.chunks_exact(ANSWER_NUMBERS * lanes) {
+            for lane in 0..lanes {
+                let number = |row: usize| packet[row * lanes + lane].to_f64();
+                let triangle = (number(0) >= 0.0).then_some(number(0) as usize);
+                answers.push(Answer {
+                    triangle,
+                    t: number(1),
+                    u: number(2),
+                    v: number(3),
+                    point: [number(4), number(5), number(6)],
+                    normal: [number(7), number(8), number(9)],
+                    code: 255,
+                });
+            }
+        }
+        answers
+    }
+}
