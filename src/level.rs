@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use fearless_simd::{Level as Detected, Simd};
 
-use crate::number::{Lanes, Real, Several};
+use crate::number::{Lanes, Real};
 
 /// An instruction-set level.
 pub trait Level: Copy + 'static {
@@ -85,13 +85,6 @@ where
     #[inline(always)]
     fn token_on(level: L::Token) -> L::Token {
         level
-    }
-}
-
-impl<L: Level, R: On<L>, const N: usize> On<L> for Several<R, N> {
-    #[inline(always)]
-    fn token_on(level: L::Token) -> R::Token {
-        R::token_on(level)
     }
 }
 

@@ -31,9 +31,6 @@ pub fn of_axes(axes: &Axes) -> Row {
         leading: axes.leading.into(),
         edges: axes.edges.into(),
         subnormals: axes.subnormals.into(),
-        reciprocal: axes.reciprocal.into(),
-        projection: axes.projection.into(),
-        branches: axes.branches.into(),
         build: BuildInfo::of_this_program().label(),
         ..Row::default()
     }

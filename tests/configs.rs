@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 23] = [
+const IDS: [&str; 27] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -16,7 +16,9 @@ const IDS: [&str; 23] = [
     "b-4.5",
     "b-4.7",
     "b-4.9",
+    "bundles",
     "calls",
+    "groups",
     "h-10",
     "h-11",
     "h-4",
@@ -27,6 +29,8 @@ const IDS: [&str; 23] = [
     "h-9",
     "h-double",
     "lanes",
+    "layouts",
+    "padding",
     "points",
     "precision",
     "tests-form",

@@ -29,9 +29,9 @@ where
     fn run(_: L::Token, scene: Self::Data<'_>) {
         let bundles = scene.rays.chunks_exact(RAY_NUMBERS * N);
         for (rays, answers) in bundles.zip(scene.answers.chunks_exact_mut(ANSWER_NUMBERS * N)) {
-            let mut bundle = [load::<P, E>((), &rays[..RAY_NUMBERS]); N];
+            let mut bundle = [load::<E>((), &rays[..RAY_NUMBERS]); N];
             for (ray, numbers) in bundle.iter_mut().zip(rays.chunks_exact(RAY_NUMBERS)) {
-                *ray = load::<P, E>((), numbers);
+                *ray = load::<E>((), numbers);
             }
             let mut best = [Best::nothing((), &bundle[0]); N];
             let mut aims = [K::aim::<P, E>(&bundle[0]); N];

@@ -4,7 +4,7 @@
 use std::marker::PhantomData;
 
 use super::WIDEST;
-use super::best::{ANSWER_NUMBERS, Best};
+use super::best::{ANSWER_NUMBERS, Best, lanes_of};
 use super::nearest::{RAY_NUMBERS, Scene, align_frame, load, places};
 use crate::kernels::{Kernel, Source};
 use crate::level::{Batch, Level, On};
@@ -44,7 +44,7 @@ where
         align_frame::<R>();
         let rays = scene.rays.chunks_exact(RAY_NUMBERS);
         for (ray, answer) in rays.zip(scene.answers.chunks_exact_mut(ANSWER_NUMBERS)) {
-            let mut ray = everywhere::<R>(token, &load::<P, R::Element>((), ray));
+            let mut ray = everywhere::<R>(token, &load::<R::Element>((), ray));
             let best = walk::<K, P, R>(token, &mut ray, scene.numbers);
             pick::<P, R>(&best, &ray, answer);
         }
@@ -101,24 +101,24 @@ fn counted<R: Real>(token: R::Token) -> R {
 /// comes first.
 #[inline(always)]
 fn pick<P: Policy, R: Real>(best: &Best<R>, ray: &Ray<R>, answer: &mut [R::Element]) {
-    let mut lanes = [R::Element::ZERO; ANSWER_NUMBERS * WIDEST];
-    best.write::<P>(ray, &mut lanes[..ANSWER_NUMBERS * R::LANES]);
+    let rows = best.rows::<P>(ray);
+    let (triangles, distances) = (lanes_of(rows[0]), lanes_of(rows[1]));
+    // A lane is below WIDEST; the remainder tells the optimiser so.
     let mut nearest = 0;
     for lane in 1..R::LANES {
-        if precedes(&lanes, R::LANES, lane, nearest) {
+        let one = (triangles[lane], distances[lane]);
+        if precedes(one, (triangles[nearest % WIDEST], distances[nearest % WIDEST])) {
             nearest = lane;
         }
     }
-    for (row, place) in answer.iter_mut().enumerate() {
-        *place = lanes[row * R::LANES + nearest];
+    for (row, place) in rows.into_iter().zip(answer) {
+        *place = lanes_of(row)[nearest % WIDEST];
     }
 }
 
-/// Whether what one lane hit comes before what the other hit, if anything.
+/// Whether what one lane hit, triangle and distance, comes before what the other hit, if anything.
 #[inline(always)]
-fn precedes<E: Element>(lanes: &[E], count: usize, one: usize, other: usize) -> bool {
-    let (triangle, rival) = (lanes[one], lanes[other]);
-    let (t, rival_t) = (lanes[count + one], lanes[count + other]);
+fn precedes<E: Element>((triangle, t): (E, E), (rival, rival_t): (E, E)) -> bool {
     let hits = triangle.ge(E::ZERO);
     hits && (rival.lt(E::ZERO) || t.lt(rival_t) || (t.le(rival_t) && triangle.lt(rival)))
 }

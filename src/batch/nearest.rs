@@ -8,10 +8,10 @@ use super::layout::{Aos, Layout};
 use crate::kernels::Kernel;
 use crate::level::{Batch, Level, On};
 use crate::number::{Element, Real, Spread, Vec3};
-use crate::policy::{Policy, Ray, Sharing};
+use crate::policy::{Policy, Ray};
 
-/// The longest packet that there is, in rays.
-pub const WIDEST: usize = 64;
+/// The widest register that there is, in numbers.
+pub const WIDEST: usize = 16;
 
 /// Numbers of a ray: origin, direction, end, t_min, t_max.
 pub const RAY_NUMBERS: usize = 11;
@@ -72,7 +72,7 @@ where
         let packets = rays.chunks_exact(RAY_NUMBERS * R::LANES);
         let answers = answers.chunks_exact_mut(ANSWER_NUMBERS * R::LANES);
         for (packet, answer) in packets.zip(answers) {
-            let mut ray = load::<P, R>(token, packet);
+            let mut ray = load::<R>(token, packet);
             let triangles = Y::walk(numbers, places::<K, R::Element>(), triangles);
             let best = walk::<K, P, R, Y>(token, &mut ray, triangles);
             best.write::<P>(&ray, answer);
@@ -80,14 +80,12 @@ where
     }
 }
 
-/// A packet of rays. What they share is taken from the first.
+/// A packet of rays.
 #[inline(always)]
-pub fn load<P: Policy, R: Real>(token: R::Token, packet: &[R::Element]) -> Ray<R> {
+pub fn load<R: Real>(token: R::Token, packet: &[R::Element]) -> Ray<R> {
     let mut rows = [R::splat(token, R::Element::ZERO); RAY_NUMBERS];
-    for (place, (row, numbers)) in rows.iter_mut().zip(packet.chunks_exact(R::LANES)).enumerate() {
-        let shared =
-            P::Sharing::ORIGIN && place < 3 || P::Sharing::DIRECTION && (3..6).contains(&place);
-        *row = if shared { R::splat(token, numbers[0]) } else { R::load(token, numbers) };
+    for (row, numbers) in rows.iter_mut().zip(packet.chunks_exact(R::LANES)) {
+        *row = R::load(token, numbers);
     }
     let [ox, oy, oz, dx, dy, dz, ex, ey, ez, t_min, t_max] = rows;
     Ray {

@@ -4,7 +4,6 @@
 //! |---|---|
 //! | `f32`, `f64` | the single-ray forms |
 //! | [`Lanes`] | packets: one lane a ray, in the registers of an instruction-set level |
-//! | [`Several`] | packets longer than a register |
 //! | [`Counted`] | the operations that a test executes, by kind |
 //! | [`Flushed`] | what a processor computes that flushes subnormal numbers to zero |
 //! | `Exact` (tests) | rational numbers: the algebra without rounding |
@@ -18,7 +17,6 @@ mod flushed;
 mod lanes;
 mod precision;
 mod scalar;
-mod several;
 mod spread;
 mod vector;
 
@@ -27,7 +25,6 @@ pub use counted::{Counted, Operations, count};
 pub use flushed::Flushed;
 pub use lanes::{LaneMask, Lanes};
 pub use precision::{Precision, exponent, power_of_two};
-pub use several::Several;
 pub use spread::Spread;
 pub(crate) use spread::spread;
 pub use vector::Vec3;
@@ -36,11 +33,9 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// The answer of a comparison: one truth value per lane.
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
-    /// Number of lanes.
-    const LANES: usize;
     /// True if any lane is.
     fn any(self) -> bool;
-    /// The truth value of one lane; `lane` is below [`Mask::LANES`].
+    /// The truth value of one lane; `lane` is below [`Real::LANES`].
     fn lane(self, lane: usize) -> bool;
 }
 

@@ -6,7 +6,6 @@
 
 mod axes;
 mod scale;
-mod sharing;
 mod tests;
 
 use std::marker::PhantomData;
@@ -16,7 +15,6 @@ pub use axes::{
     Output, Plain, Rounding, Span, Surface, T, Tuv, TwoSided,
 };
 pub use scale::{Division, First, Last, Scale};
-pub use sharing::{CommonOrigin, General, Parallel, Sharing};
 pub use tests::{Compare, Products, SignBits, Tests};
 
 use crate::number::{Element, Mask, Real, Vec3};
@@ -71,8 +69,6 @@ pub trait Policy: Copy + 'static {
     type Leading: Leading;
     /// Which t count.
     type Span: Span;
-    /// What the rays of a packet have in common.
-    type Sharing: Sharing;
 
     /// a . b
     #[inline(always)]
@@ -238,11 +234,11 @@ pub trait Policy: Copy + 'static {
 /// The form with these values of the axes.
 #[derive(Clone, Copy)]
 #[allow(clippy::type_complexity, reason = "one marker per axis, in the order of a variant's id")]
-pub struct Form<E, D, A, O, F = TwoSided, T = Compare, L = Distance, S = FromZero, H = General>(
-    PhantomData<(E, D, A, O, F, T, L, S, H)>,
+pub struct Form<E, D, A, O, F = TwoSided, T = Compare, L = Distance, S = FromZero>(
+    PhantomData<(E, D, A, O, F, T, L, S)>,
 );
 
-impl<E, D, A, O, F, T, L, S, H> Policy for Form<E, D, A, O, F, T, L, S, H>
+impl<E, D, A, O, F, T, L, S> Policy for Form<E, D, A, O, F, T, L, S>
 where
     E: Exit,
     D: Division,
@@ -252,7 +248,6 @@ where
     T: Tests,
     L: Leading,
     S: Span,
-    H: Sharing,
 {
     type Exit = E;
     type Division = D;
@@ -262,7 +257,6 @@ where
     type Tests = T;
     type Leading = L;
     type Span = S;
-    type Sharing = H;
 }
 
 /// `P` with both faces: for kernels whose determinant does not carry the face in its sign.
@@ -278,5 +272,4 @@ impl<P: Policy> Policy for BothFaces<P> {
     type Tests = P::Tests;
     type Leading = P::Leading;
     type Span = P::Span;
-    type Sharing = P::Sharing;
 }

@@ -9,8 +9,8 @@ use crate::kernels::{About, Corners};
 use crate::number::{Element, Flushed, Vec3};
 use crate::oracle::Query;
 use crate::policy::{
-    Between, Compare, Division, Early, First, Form, Fused, Last, Leading, Plain, Policy, Products,
-    Ray, Rounding, SignBits, Tests, Tuv, TwoSided,
+    Between, Compare, Division, Early, First, Form, Fused, Last, Plain, Policy, Products, Ray,
+    Rounding, SignBits, Tests, Tuv, TwoSided,
 };
 use std::sync::LazyLock;
 
@@ -113,16 +113,9 @@ where
 {
     type Of<K, D, A, C> = Form<Early, D, A, Tuv, TwoSided, C, <K as Offers>::Native, Between>;
     let axes = Axes {
-        division: D::NAME,
-        rounding: A::NAME,
         output: if K::UV { "tuv" } else { "t" },
-        leading: K::Native::NAME,
-        stored: K::ABOUT.stored,
-        stored_is_native: K::NATIVE_RECORD,
-        tests: C::NAME,
-        edges: K::EDGES,
         subnormals,
-        ..Axes::usual(K::ABOUT.id, E::NAME, level(A::NAME == Fused::NAME))
+        ..Axes::of::<K, Of<K, D, A, C>>(E::NAME, level(A::NAME == Fused::NAME))
     };
     let ask = ask::<K, Of<K, D, A, C>, E>;
     all.push(Asked { axes, about: &K::ABOUT, is_segment: K::ABOUT.id == "chirkov", ask });

@@ -3,6 +3,9 @@
 use std::fmt::Write;
 
 use crate::kernels::{Edges, Fallback};
+use crate::policy::{Division, Exit, Facing, Leading, Output, Policy, Rounding, Tests};
+
+use super::Offers;
 
 /// The place of a variant on every axis, in the words of the contract.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +28,7 @@ pub struct Axes {
     pub output: &'static str,
     /// `off` or `on`.
     pub cull: &'static str,
-    /// `aos`.
+    /// `aos`, `soa` or `aosoa`.
     pub layout: &'static str,
     /// `distance` or `inside`: the test that comes first.
     pub leading: &'static str,
@@ -46,20 +49,12 @@ pub struct Axes {
     pub edges: &'static str,
     /// `kept`, or `flushed` to zero.
     pub subnormals: &'static str,
-    /// How a reciprocal is made: `division`, `estimate`, or `newton` for an estimate that is refined.
-    pub reciprocal: &'static str,
-    /// Where the axes of a projection come from: `one-index`, `three-indices`, `fixed` or `batches`;
-    /// empty for kernels that do not project.
-    pub projection: &'static str,
-    /// Where a test branches: `native` for after every test in `early` and nowhere in `full`, or
-    /// `once`, behind all of them.
-    pub branches: &'static str,
     /// 0, or the number of a placebo.
     pub copy: usize,
 }
 
 /// The columns of `list variants` behind `id` and `available`.
-pub const COLUMNS: [&str; 20] = [
+pub const COLUMNS: [&str; 17] = [
     "kernel",
     "precision",
     "drive",
@@ -77,9 +72,6 @@ pub const COLUMNS: [&str; 20] = [
     "tests",
     "edges",
     "subnormals",
-    "reciprocal",
-    "projection",
-    "branches",
 ];
 
 impl Axes {
@@ -105,15 +97,30 @@ impl Axes {
             tests: "compare",
             edges: "",
             subnormals: "kept",
-            reciprocal: "division",
-            projection: "",
-            branches: "native",
             copy: 0,
         }
     }
 
+    /// A single ray in the form `P` of a kernel, in the usual layout.
+    pub fn of<K: Offers, P: Policy>(precision: &'static str, level: &'static str) -> Self {
+        Axes {
+            exit: P::Exit::NAME,
+            division: P::Division::NAME,
+            rounding: P::Rounding::NAME,
+            output: P::Output::NAME,
+            cull: P::Facing::NAME,
+            leading: P::Leading::NAME,
+            leading_is_native: P::Leading::NAME == K::Native::NAME,
+            stored: K::ABOUT.stored,
+            stored_is_native: K::NATIVE_RECORD,
+            tests: P::Tests::NAME,
+            edges: K::EDGES,
+            ..Axes::usual(K::ABOUT.id, precision, level)
+        }
+    }
+
     /// The values of [`COLUMNS`].
-    pub fn values(&self) -> [&str; 20] {
+    pub fn values(&self) -> [&str; 17] {
         [
             self.kernel,
             self.precision,
@@ -132,9 +139,6 @@ impl Axes {
             self.tests,
             self.edges,
             self.subnormals,
-            self.reciprocal,
-            self.projection,
-            self.branches,
         ]
     }
 
@@ -143,16 +147,13 @@ impl Axes {
     pub fn id(&self) -> String {
         let mut id = self.values()[..8].join("/");
         let others = [
-            ("branches", self.branches.into(), self.branches == "native"),
             ("copy", self.copy.to_string(), self.copy == 0),
             ("cull", self.cull.into(), self.cull == "off"),
             ("edges", self.edges.into(), ["", Fallback::NAME].contains(&self.edges)),
             ("layout", self.layout.into(), self.layout == "aos"),
             ("leading", self.leading.into(), self.leading_is_native),
             ("priced", self.priced.into(), self.priced.is_empty()),
-            ("projection", self.projection.into(), ["", "one-index"].contains(&self.projection)),
             ("query", self.query.into(), self.query == "ray"),
-            ("reciprocal", self.reciprocal.into(), self.reciprocal == "division"),
             ("stored", self.stored.into(), self.stored_is_native),
             ("subnormals", self.subnormals.into(), self.subnormals == "kept"),
             ("tests", self.tests.into(), self.tests == "compare"),

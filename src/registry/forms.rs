@@ -3,7 +3,7 @@
 use crate::batch::{Aos, Nearest, NearestLoop, Pairs, PairsLoop, Shape, Storing};
 use crate::kernels::{Kernel, MollerTrumbore};
 use crate::level::{self, Level, On, enter};
-use crate::number::Element;
+use crate::number::{Element, Real};
 use crate::policy::{
     Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused, Hit,
     Inside, Last, Leading, Output, Plain, Policy, Products, Ray, Rounding, SignBits, Surface, T,
@@ -194,23 +194,17 @@ where
     }
     let nearest = enter::<L, Nearest<K, Form<E, D, A, O, F, C, Q, FromZero>, R>, COPY>;
     let axes = Axes {
-        drive: if R::LANES == 1 { "single".into() } else { format!("packet{}", R::LANES) },
-        exit: E::NAME,
-        division: D::NAME,
-        rounding: A::NAME,
-        output: O::NAME,
-        cull: F::NAME,
-        leading: Q::NAME,
-        leading_is_native: Q::NAME == K::Native::NAME,
-        stored: K::ABOUT.stored,
-        stored_is_native: K::NATIVE_RECORD,
-        tests: C::NAME,
-        edges: K::EDGES,
+        drive: drive::<R>(),
         copy: COPY,
-        ..Axes::usual(K::ABOUT.id, R::Element::NAME, L::NAME)
+        ..Axes::of::<K, Form<E, D, A, O, F, C, Q>>(R::Element::NAME, L::NAME)
     };
     let shape = Shape { lanes: R::LANES, rays: R::LANES, outputs: numbers::<O>() };
     push::<K, R::Element>(v, axes, level::available::<L>, shape, pairs, nearest);
+}
+
+/// How a loop over single rays or packets is driven.
+pub fn drive<R: Real>() -> String {
+    if R::LANES == 1 { "single".into() } else { format!("packet{}", R::LANES) }
 }
 
 /// How many numbers of an answer are reported.
@@ -234,6 +228,7 @@ fn push<K: Offers, E: Element>(
         available,
         pairs: pairs.map(|run| bind_pairs(K::prepare::<E>, run, exit_code::<K, E>)),
         nearest: Some(bind_nearest(shape, K::prepare::<E>, Storing::of::<Aos>(), nearest)),
+        rays: shape.rays,
         lanes: shape.rays,
     });
 }

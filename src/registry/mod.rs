@@ -3,6 +3,7 @@
 mod arithmetic;
 mod asked;
 mod axes;
+mod drives;
 mod edges;
 mod every;
 mod forms;
@@ -42,9 +43,11 @@ pub struct Variant {
     /// Ray i against triangle i; packets have none.
     pub pairs: Option<Binder>,
     /// Every ray against every triangle; listings and point tests have none. The number of rays
-    /// must be a multiple of [`Variant::lanes`].
+    /// must be a multiple of [`Variant::rays`].
     pub nearest: Option<Binder>,
-    /// Rays per packet; 1 for single rays.
+    /// Rays of a packet or a bundle; 1 for single rays.
+    pub rays: usize,
+    /// Tests that are done side by side: rays of a packet or a bundle, triangles of a group.
     pub lanes: usize,
 }
 
@@ -72,6 +75,7 @@ pub fn variants() -> &'static [Variant] {
     static VARIANTS: LazyLock<Vec<Variant>> = LazyLock::new(|| {
         let mut variants = Vec::new();
         forms::all(&mut variants);
+        drives::all(&mut variants);
         points::all(&mut variants);
         listings::all(&mut variants);
         variants

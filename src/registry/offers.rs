@@ -30,6 +30,13 @@ pub trait Offers: Kernel {
     const F64: bool = true;
     /// How its edge functions keep their signs; empty where it has no such choice.
     const EDGES: &'static str = "";
+    /// It stands for the others where triangles come in groups.
+    const GROUPS: bool = false;
+    /// It stands for the others in bundles: something is computed of a triangle alone, or, as with
+    /// Wald's, nothing is.
+    const BUNDLES: bool = false;
+    /// It stands for the others in memory layouts.
+    const LAYOUTS: bool = false;
     /// It yields u and v.
     const UV: bool = true;
     /// Its record is the first, or only, that the kernel has.
@@ -38,12 +45,18 @@ pub trait Offers: Kernel {
 
 impl Offers for MollerTrumbore {
     type Native = Inside;
+    const GROUPS: bool = true;
+    const BUNDLES: bool = true;
+    const LAYOUTS: bool = true;
     const BOTH_ORDERS: bool = true;
     const SIGN_BITS: bool = true;
     const CULLS: bool = true;
 }
 impl<S: Stored + IsVertices> Offers for KenslerShirley<S> {
     type Native = Distance;
+    const GROUPS: bool = S::IS_PRECOMPUTED;
+    const BUNDLES: bool = S::IS_VERTICES;
+    const LAYOUTS: bool = S::IS_PRECOMPUTED;
     const BOTH_ORDERS: bool = S::IS_VERTICES;
     const SIGN_BITS: bool = S::IS_VERTICES;
     const CULLS: bool = S::IS_VERTICES;
@@ -51,6 +64,7 @@ impl<S: Stored + IsVertices> Offers for KenslerShirley<S> {
 }
 impl Offers for Shevtsov {
     type Native = Distance;
+    const GROUPS: bool = true;
     const SIGN_BITS: bool = true;
     const CULLS: bool = true;
 }
@@ -60,16 +74,22 @@ impl Offers for BadouelCramer {
 }
 impl Offers for Wald {
     type Native = Distance;
+    const GROUPS: bool = true;
+    const BUNDLES: bool = true;
+    const LAYOUTS: bool = true;
     const SIGN_BITS: bool = true;
 }
 impl<S: Stored + IsVertices> Offers for Keidy<S> {
     type Native = Distance;
+    const BUNDLES: bool = S::IS_VERTICES;
     const BOTH_ORDERS: bool = S::IS_VERTICES;
     const SIGN_BITS: bool = S::IS_VERTICES;
     const NATIVE_RECORD: bool = S::IS_VERTICES;
 }
 impl Offers for PerpendicularPlanes {
     type Native = Distance;
+    const GROUPS: bool = true;
+    const LAYOUTS: bool = true;
     const SIGN_BITS: bool = true;
 }
 impl Offers for Chirkov {
@@ -79,6 +99,7 @@ impl Offers for Chirkov {
 }
 impl Offers for Plucker {
     type Native = Inside;
+    const BUNDLES: bool = true;
     const FIRST: bool = false;
 }
 impl Offers for HalfSpaces {
@@ -97,18 +118,22 @@ impl Offers for AngleSum {
 }
 impl<E: Edges> Offers for WoopWatertight<E> {
     type Native = Inside;
+    const GROUPS: bool = true;
     const EDGES: &'static str = E::NAME;
 }
 impl Offers for EmbreePlucker {
     type Native = Inside;
+    const GROUPS: bool = true;
     const LAST: bool = false;
 }
 impl<C: Column> Offers for BaldwinWeber<C> {
     type Native = Distance;
+    const GROUPS: bool = C::AS_PUBLISHED;
     const NATIVE_RECORD: bool = C::AS_PUBLISHED;
 }
 impl Offers for WoopAffine {
     type Native = Distance;
+    const GROUPS: bool = true;
 }
 impl Offers for MollerTrumboreInF64 {
     type Native = Inside;
@@ -119,16 +144,16 @@ impl Offers for MollerTrumboreInF64 {
 /// Which record of several is the kernel's first.
 pub trait IsVertices {
     /// Three vertices, nothing prepared.
-    const IS_VERTICES: bool;
+    const IS_VERTICES: bool = false;
+    /// Edges and normal.
+    const IS_PRECOMPUTED: bool = false;
 }
 impl IsVertices for Vertices {
     const IS_VERTICES: bool = true;
 }
-impl IsVertices for WithNormal {
-    const IS_VERTICES: bool = false;
-}
+impl IsVertices for WithNormal {}
 impl IsVertices for Precomputed {
-    const IS_VERTICES: bool = false;
+    const IS_PRECOMPUTED: bool = true;
 }
 
 /// The other order of tests.

@@ -325,12 +325,6 @@ columns! {
     edges: String,
     /// `kept`, or `flushed` to zero.
     subnormals: String,
-    /// How a reciprocal is made: `division`, `estimate` or `newton`.
-    reciprocal: String,
-    /// Where the axes of a projection come from.
-    projection: String,
-    /// Where a test branches: `native` or `once`.
-    branches: String,
 }
 
 impl Serialize for Row {
