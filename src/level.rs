@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use fearless_simd::{Level as Detected, Simd};
 
-use crate::number::{Lanes, Real};
+use crate::number::{Lanes, Real, Twice};
 
 /// An instruction-set level.
 pub trait Level: Copy + 'static {
@@ -85,6 +85,13 @@ where
     #[inline(always)]
     fn token_on(level: L::Token) -> L::Token {
         level
+    }
+}
+
+impl<L: Level, R: On<L>> On<L> for Twice<R> {
+    #[inline(always)]
+    fn token_on(level: L::Token) -> R::Token {
+        R::token_on(level)
     }
 }
 

@@ -1,13 +1,20 @@
-//! However a kernel is driven, it is the same kernel: groups of triangles, bundles and memory layouts
-//! give what single rays of the same form give, bit for bit.
+//! However a kernel is driven, it is the same kernel: groups of triangles, bundles, memory layouts,
+//! packets longer than a register and packets that share an origin or a direction give what single
+//! rays of the same form give, bit for bit.
 
 use ray_test::job::{Answer, Block};
 use ray_test::registry::{Axes, Variant, find, variants};
 use ray_test::workload::{Kind, NearestSet, NearestSpec};
 
-/// The single ray of the same form. Fused forms are single at AVX2 only.
+/// The single ray of the same form. Fused forms are single at AVX2 only, and of f32; long packets of
+/// fused f64 are held to those of one register, which `tests/lanes` holds to single rays.
 fn yardstick(variant: &Variant) -> &'static Variant {
     let axes = &variant.axes;
+    if (axes.precision, axes.rounding) == ("f64", "fused") {
+        let drive = if axes.level == "avx512" { "packet8" } else { "packet2" };
+        let id = Axes { drive: drive.into(), ..axes.clone() }.id();
+        return find(&id).unwrap_or_else(|| panic!("{}: no {id}", variant.id()));
+    }
     let level = match (axes.level, axes.rounding) {
         ("neon", _) => "neon",
         (_, "fused") => "avx2",
@@ -17,11 +24,29 @@ fn yardstick(variant: &Variant) -> &'static Variant {
     find(&id).unwrap_or_else(|| panic!("{}: no {id}", variant.id()))
 }
 
-/// Groups, bundles and other layouts, with those that this processor has and the number of the others.
+/// Rays of a packet or a bundle, by the name of the drive.
+fn together(drive: &str) -> usize {
+    let digits: String = drive.chars().filter(char::is_ascii_digit).collect();
+    digits.parse().unwrap_or(1)
+}
+
+/// A packet that is longer than a register of its level.
+fn is_long(axes: &Axes) -> bool {
+    let register = match (axes.level, axes.precision) {
+        ("avx512", "f32") => 16,
+        ("avx2", "f32") | ("avx512", _) => 8,
+        ("avx2", _) | (_, "f32") => 4,
+        _ => 2,
+    };
+    axes.drive.starts_with("packet") && together(&axes.drive) > register
+}
+
+/// Groups, bundles, long packets and other layouts, with those that this processor has and the number of the others.
 fn driven() -> (Vec<&'static Variant>, usize) {
-    let driven = variants()
-        .iter()
-        .filter(|variant| variant.axes.layout != "aos" || variant.axes.drive.starts_with("bundle"));
+    let driven = variants().iter().filter(|variant| {
+        let axes = &variant.axes;
+        axes.layout != "aos" || axes.drive.starts_with("bundle") || is_long(axes)
+    });
     let (here, missing): (Vec<_>, Vec<_>) = driven.partition(|variant| (variant.available)());
     (here, missing.len())
 }
@@ -30,6 +55,15 @@ fn driven() -> (Vec<&'static Variant>, usize) {
 fn bits(answer: &Answer) -> (Option<usize>, [u64; 3]) {
     let numbers = [answer.t, answer.u, answer.v];
     (answer.triangle, numbers.map(|x| if answer.triangle.is_some() { x.to_bits() } else { 0 }))
+}
+
+/// Whether a set has what the rays of a variant's packets must have in common.
+fn suits(variant: &Variant, kind: Kind) -> bool {
+    match variant.axes.drive.split_once('-') {
+        Some((_, "common-origin")) => kind == Kind::Coherent,
+        Some((_, "parallel")) => kind == Kind::Parallel,
+        _ => true,
+    }
 }
 
 /// 45 triangles: no group, block or line of a layout comes out even.
@@ -41,10 +75,11 @@ fn set(kind: Kind, seed: u64) -> NearestSet {
 #[test]
 fn every_drive_gives_what_single_rays_give() {
     let (mut compared, mut hits) = (0, 0);
-    let sets = [set(Kind::Random, 3), set(Kind::Coherent, 4)];
+    let sets = [(Kind::Random, 3), (Kind::Coherent, 4), (Kind::Parallel, 5)];
+    let sets = sets.map(|(kind, seed)| (kind, set(kind, seed)));
     let (driven, missing) = driven();
     for variant in driven {
-        for set in &sets {
+        for (_, set) in sets.iter().filter(|(kind, _)| suits(variant, *kind)) {
             let answers = |variant: &Variant| {
                 let bind = variant.nearest.as_ref().expect("it runs on all triangles");
                 bind(&set.rays, &set.triangles).answers()
@@ -62,13 +97,20 @@ fn every_drive_gives_what_single_rays_give() {
     assert!(compared >= 30 && hits > 20 * compared, "{compared} comparisons, {hits} hits");
 }
 
+/// Rays that all drives can take, per variant.
+fn suitable(variant: &Variant, seed: u64) -> NearestSet {
+    let kinds = [Kind::Random, Kind::Coherent, Kind::Parallel];
+    let kind = kinds.into_iter().find(|kind| suits(variant, *kind));
+    set(kind.expect("one of them suits"), seed)
+}
+
 #[test]
 fn of_two_triangles_at_one_distance_the_first_is_hit() {
-    let mut set = set(Kind::Random, 6);
-    // Every triangle twice, 45 apart: in another lane, and in another group.
-    set.triangles.extend_from_within(..);
     let (driven, _) = driven();
     for variant in driven {
+        let mut set = suitable(variant, 6);
+        // Every triangle twice, 45 apart: in another lane, and in another group.
+        set.triangles.extend_from_within(..);
         let bind = variant.nearest.as_ref().expect("it runs on all triangles");
         let triangles = bind(&set.rays, &set.triangles).answers();
         let hit: Vec<usize> = triangles.iter().filter_map(|answer| answer.triangle).collect();
@@ -78,10 +120,10 @@ fn of_two_triangles_at_one_distance_the_first_is_hit() {
 
 #[test]
 fn triangles_in_another_order_give_the_same_tallies_and_answers() {
-    let set = set(Kind::Random, 7);
     let backwards: Vec<u32> = (0..45).rev().collect();
     let (driven, _) = driven();
     for variant in driven {
+        let set = suitable(variant, 7);
         let bind = variant.nearest.as_ref().expect("it runs on all triangles");
         let mut job = bind(&set.rays, &set.triangles);
         let (answers, tally) = (job.answers(), job.run(Block::whole(job.as_ref())));

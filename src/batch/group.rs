@@ -16,9 +16,11 @@ use crate::policy::{Exit, Output, Policy, Ray};
 pub struct Group<K, P, R>(PhantomData<(K, P, R)>);
 
 /// A group's numbers: as many of each in a row as there are lanes.
-struct Packed<'a, R: Real> {
-    token: R::Token,
-    numbers: &'a [R::Element],
+pub struct Packed<'a, R: Real> {
+    /// Of the lanes.
+    pub token: R::Token,
+    /// Place by place.
+    pub numbers: &'a [R::Element],
 }
 
 impl<R: Real> Source<R> for Packed<'_, R> {
@@ -53,7 +55,7 @@ where
 
 /// One ray in every lane.
 #[inline(always)]
-fn everywhere<R: Real>(token: R::Token, ray: &Ray<R::Element>) -> Ray<R> {
+pub fn everywhere<R: Real>(token: R::Token, ray: &Ray<R::Element>) -> Ray<R> {
     Ray {
         origin: Vec3::splat(token, ray.origin),
         direction: Vec3::splat(token, ray.direction),

@@ -15,6 +15,7 @@ mod nearest;
 mod nearest_job;
 mod pairs;
 mod points;
+mod sharing;
 
 pub use arithmetic::{ArithmeticJob, OPERATIONS};
 pub use bundle::Bundle;
@@ -26,6 +27,7 @@ pub use nearest::{Nearest, WIDEST};
 pub use nearest_job::{NearestJob, NearestLoop, Shape, Storing};
 pub use pairs::Pairs;
 pub use points::Points;
+pub use sharing::Sharing;
 
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Exit, Found, Output, Policy, Ray};

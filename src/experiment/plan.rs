@@ -61,6 +61,9 @@ impl Plan {
                 experiment.reference
             ))
         })?;
+        for variant in variants.iter().chain([&reference]) {
+            experiment.workload.suits(variant).map_err(wrong)?;
+        }
         Ok(Plan { experiment, variants, reference })
     }
 

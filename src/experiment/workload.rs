@@ -4,6 +4,7 @@ use serde::Deserialize;
 
 use super::stiff::StiffWorkload;
 use crate::measure::Order;
+use crate::registry::Variant;
 use crate::workload::{self, Generator, NearestSpec, QueryKind, Winding};
 
 /// What variants are run on.
@@ -81,7 +82,7 @@ pub struct NearestWorkload {
     /// Rays in `reshuffled` order, of which each block takes others.
     #[serde(default = "reshuffled_rays")]
     pub reshuffled_rays: usize,
-    /// `random` or `coherent`.
+    /// `random`, `coherent` or `parallel`.
     #[serde(default)]
     pub coherence: workload::Kind,
     /// Orders in which the rays are tested.
@@ -149,6 +150,40 @@ impl Workload {
     /// Whether it is variants that are run.
     pub fn has_variants(&self) -> bool {
         !matches!(self, Workload::Counts | Workload::Arithmetic)
+    }
+
+    /// Whether a variant can be run on it.
+    ///
+    /// # Errors
+    /// Where it cannot, and what is allowed.
+    pub(super) fn suits(&self, variant: &Variant) -> Result<(), String> {
+        let Workload::Nearest(nearest) = self else { return Ok(()) };
+        let numbers = [("rays", nearest.rays), ("reshuffled_rays", nearest.reshuffled_rays)];
+        let together = variant.rays;
+        if let Some((key, rays)) =
+            numbers.into_iter().find(|(_, rays)| !rays.is_multiple_of(together))
+        {
+            return Err(format!(
+                "workload.{key}: {rays} is not allowed; allowed: multiples of {together}, the rays \
+                 that {} takes together",
+                variant.id()
+            ));
+        }
+        let needed = match variant.axes.drive.split_once('-') {
+            Some((_, "common-origin")) => workload::Kind::Coherent,
+            Some((_, "parallel")) => workload::Kind::Parallel,
+            _ => return Ok(()),
+        };
+        if nearest.coherence != needed {
+            return Err(format!(
+                "workload.coherence: {} is not allowed; allowed: {}, what the rays of {} have in \
+                 common",
+                nearest.coherence.word(),
+                needed.word(),
+                variant.id()
+            ));
+        }
+        Ok(())
     }
 
     /// Refuses what can be seen to be wrong before anything runs.

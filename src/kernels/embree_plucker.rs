@@ -13,7 +13,7 @@
 //! Known weakness: shared edges are kept, but the tolerance depends on the triangle, so that a ray
 //! through a vertex can pass between tiny ones; on edges it hits both.
 
-use super::{About, Corners, Kernel, Source};
+use super::{About, CommonOrigin, Corners, Kernel, Shares, Source};
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Division, Exit, Found, Last, Miss, Policy, Ray, Rounding, Scale};
 
@@ -49,32 +49,106 @@ impl Kernel for EmbreePlucker {
 
     #[inline(always)]
     fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Corners<R>) -> Result<Found<R>, Miss> {
-        let (o, d) = (ray.origin, ray.direction);
-        let (a, b, c) = (tri.a - o, tri.b - o, tri.c - o);
-        let (e0, e1, e2) = (c - a, a - b, b - c);
-        let u = P::dot(P::cross(e0, c + a), d);
-        let v = P::dot(P::cross(e1, a + b), d);
-        let w = P::dot(P::cross(e2, b + c), d);
-        let sum = u + v + w;
-        let above = sum.signed_by(sum) * sum.like(R::Element::EPSILON);
-        let below = -above;
-        let inside =
-            (u.ge(below) & v.ge(below) & w.ge(below)) | (u.le(above) & v.le(above) & w.le(above));
-        let hit = P::keep(inside, 1)?;
-
-        let n = stable_normal::<P, R>(e0, e1, e2);
-        let det = P::dot(n, d);
-        let (t, scale) = P::quotient(P::dot(n, a), det);
-        let hit = P::keep_range(hit & P::divisible(det), ray, t, scale, 2)?;
-        let [u, v] = shares::<P, R>([u, v], sum);
-        let one = Scale { factor: sum.one(), one: sum.one() };
-        P::finish_apart(hit, ray, (t, scale), ([u, v], one))
+        let seen = Seen::of(ray, tri);
+        test_seen::<P, R>(ray, seen.sides::<P>(), Plane::Of(seen))
     }
 
     #[inline(always)]
     fn normal<P: Policy, R: Real>(tri: &Corners<R>) -> Vec3<R> {
         let (e1, e2) = tri.edges();
         P::cross(e1, e2)
+    }
+}
+
+/// The corners as seen from the origin.
+#[derive(Clone, Copy)]
+struct Seen<R>(Corners<R>);
+
+impl<R: Real> Seen<R> {
+    #[inline(always)]
+    fn of(ray: &Ray<R>, tri: &Corners<R>) -> Self {
+        let o = ray.origin;
+        Seen(Corners { a: tri.a - o, b: tri.b - o, c: tri.c - o })
+    }
+    #[inline(always)]
+    fn edges(&self) -> [Vec3<R>; 3] {
+        let Corners { a, b, c } = self.0;
+        [c - a, a - b, b - c]
+    }
+    /// Twice the normals of the planes through the origin and an edge.
+    #[inline(always)]
+    fn sides<P: Policy>(&self) -> [Vec3<R>; 3] {
+        let Corners { a, b, c } = self.0;
+        let [e0, e1, e2] = self.edges();
+        [P::cross(e0, c + a), P::cross(e1, a + b), P::cross(e2, b + c)]
+    }
+    /// The triangle's plane: its normal, and a . n.
+    #[inline(always)]
+    fn plane<P: Policy>(&self) -> (Vec3<R>, R) {
+        let [e0, e1, e2] = self.edges();
+        let n = stable_normal::<P, R>(e0, e1, e2);
+        (n, P::dot(n, self.0.a))
+    }
+}
+
+/// The triangle's plane: a common origin has it, others compute it when a test comes so far.
+#[derive(Clone, Copy)]
+enum Plane<R> {
+    /// Normal, and a . n.
+    Known(Vec3<R>, R),
+    /// Of these corners.
+    Of(Seen<R>),
+}
+
+#[inline(always)]
+fn test_seen<P: Policy, R: Real>(
+    ray: &Ray<R>,
+    [u_side, v_side, w_side]: [Vec3<R>; 3],
+    plane: Plane<R>,
+) -> Result<Found<R>, Miss> {
+    let d = ray.direction;
+    let (u, v, w) = (P::dot(u_side, d), P::dot(v_side, d), P::dot(w_side, d));
+    let sum = u + v + w;
+    let above = sum.signed_by(sum) * sum.like(R::Element::EPSILON);
+    let below = -above;
+    let inside =
+        (u.ge(below) & v.ge(below) & w.ge(below)) | (u.le(above) & v.le(above) & w.le(above));
+    let hit = P::keep(inside, 1)?;
+
+    let (n, depth) = match plane {
+        Plane::Known(n, depth) => (n, depth),
+        Plane::Of(seen) => seen.plane::<P>(),
+    };
+    let det = P::dot(n, d);
+    let (t, scale) = P::quotient(depth, det);
+    let hit = P::keep_range(hit & P::divisible(det), ray, t, scale, 2)?;
+    let [u, v] = shares::<P, R>([u, v], sum);
+    let one = Scale { factor: sum.one(), one: sum.one() };
+    P::finish_apart(hit, ray, (t, scale), ([u, v], one))
+}
+
+impl Shares<CommonOrigin> for EmbreePlucker {
+    /// Three sides, the normal and a . n.
+    type Shared<R: Real> = [R; 13];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Corners<R>) -> [R; 13] {
+        let seen = Seen::of(ray, tri);
+        let [a, b, c] = seen.sides::<P>();
+        let (n, depth) = seen.plane::<P>();
+        let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a.0, b.0, c.0);
+        let [nx, ny, nz] = n.0;
+        [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, depth]
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Found<R>, Miss> {
+        let sides = [shared.vector(0), shared.vector(3), shared.vector(6)];
+        test_seen::<P, R>(ray, sides, Plane::Known(shared.vector(9), shared.number(12)))
     }
 }
 

@@ -8,7 +8,7 @@
 //! Stored: 9 numbers. Operations of a hit: 37 x, 30 +-, 2 /, and per packet 6 x, 9 -.
 //! Known weakness: a x b cancels with the square of the distance between origin and triangle.
 
-use super::{About, Corners, Kernel, PointTest, Source};
+use super::{About, CommonOrigin, Corners, Kernel, PointTest, Shares, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Division, Found, Last, Miss, Policy, Ray, Scale};
 
@@ -55,16 +55,81 @@ impl Kernel for HalfSpaces {
 
     #[inline(always)]
     fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
-        let (o, d) = (ray.origin, ray.direction);
-        let (a, b, c) = (tri.corners.a - o, tri.corners.b - o, tri.corners.c - o);
-        let sides =
-            [P::dot(d, P::cross(b, c)), P::dot(d, P::cross(c, a)), P::dot(d, P::cross(a, b))];
-        finish_sides::<P, R>(ray, sides, tri.n, a)
+        Seen::of::<P>(ray, tri).test::<P>(ray)
     }
 
     #[inline(always)]
     fn normal<P: Policy, R: Real>(tri: &Met<R>) -> Vec3<R> {
         tri.n
+    }
+}
+
+/// The triangle as seen from the origin: the normals of the planes through it and the edges opposite
+/// to a, b and c, that of the triangle, and how far the triangle's plane is.
+#[derive(Clone, Copy)]
+struct Seen<R> {
+    sides: [Vec3<R>; 3],
+    n: Vec3<R>,
+    depth: Depth<R>,
+}
+
+/// n . (a - o): a common origin has it, others compute it when a test comes so far.
+#[derive(Clone, Copy)]
+pub enum Depth<R> {
+    /// The number.
+    Known(R),
+    /// a - o.
+    To(Vec3<R>),
+}
+
+impl<R: Real> Depth<R> {
+    #[inline(always)]
+    fn along<P: Policy>(self, n: Vec3<R>) -> R {
+        match self {
+            Depth::Known(depth) => depth,
+            Depth::To(oa) => P::dot(n, oa),
+        }
+    }
+}
+
+impl<R: Real> Seen<R> {
+    #[inline(always)]
+    fn of<P: Policy>(ray: &Ray<R>, tri: &Met<R>) -> Self {
+        let Corners { a, b, c } = tri.corners;
+        let (a, b, c) = (a - ray.origin, b - ray.origin, c - ray.origin);
+        let sides = [P::cross(b, c), P::cross(c, a), P::cross(a, b)];
+        Seen { sides, n: tri.n, depth: Depth::To(a) }
+    }
+    #[inline(always)]
+    fn test<P: Policy>(&self, ray: &Ray<R>) -> Result<Found<R>, Miss> {
+        let [a, b, c] = self.sides;
+        let d = ray.direction;
+        let sides = [P::dot(d, a), P::dot(d, b), P::dot(d, c)];
+        finish_sides::<P, R>(ray, sides, self.n, self.depth)
+    }
+}
+
+impl Shares<CommonOrigin> for HalfSpaces {
+    /// Three sides, the normal, and the distance of the plane.
+    type Shared<R: Real> = [R; 13];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> [R; 13] {
+        let Seen { sides: [a, b, c], n, depth } = Seen::of::<P>(ray, tri);
+        let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a.0, b.0, c.0);
+        let [nx, ny, nz] = n.0;
+        [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, depth.along::<P>(n)]
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Found<R>, Miss> {
+        let sides = [shared.vector(0), shared.vector(3), shared.vector(6)];
+        let depth = Depth::Known(shared.number(12));
+        Seen { sides, n: shared.vector(9), depth }.test::<P>(ray)
     }
 }
 
@@ -91,19 +156,18 @@ fn height<P: Policy, R: Real>(n: Vec3<R>, from: Vec3<R>, to: Vec3<R>, p: Vec3<R>
 }
 
 /// The test by the signs of three weights, whose sum is d . n, and t from the plane.
-/// `oa` is a vertex as seen from the origin.
 #[inline(always)]
 pub fn finish_sides<P: Policy, R: Real>(
     ray: &Ray<R>,
     [wa, wb, wc]: [R; 3],
     n: Vec3<R>,
-    oa: Vec3<R>,
+    depth: Depth<R>,
 ) -> Result<Found<R>, Miss> {
     let (zero, sum) = (wa.zero(), wa + wb + wc);
     let all = (wa.ge(zero) & wb.ge(zero) & wc.ge(zero)) | (wa.le(zero) & wb.le(zero) & wc.le(zero));
     let hit = P::keep(all & P::divisible(sum), 1)?;
     let det = P::dot(ray.direction, n);
-    let (t, t_scale) = P::quotient(P::dot(n, oa), det);
+    let (t, t_scale) = P::quotient(depth.along::<P>(n), det);
     let hit = P::keep_range(hit & P::divisible(det), ray, t, t_scale, 2)?;
     P::finish_apart(hit, ray, (t, t_scale), ([wb, wc], Scale { factor: sum, one: sum }))
 }

@@ -10,8 +10,9 @@
 
 use std::marker::PhantomData;
 
+use super::shares::{Known, known};
 use super::stored::Frame;
-use super::{About, Corners, Kernel, Source, Stored};
+use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source, Stored};
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Found, Leading, Miss, Policy, Ray, Scale};
 
@@ -47,26 +48,127 @@ impl<S: Stored> Kernel for KenslerShirley<S> {
 
     #[inline(always)]
     fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Frame<R>) -> Result<Found<R>, Miss> {
-        let det = P::dot(ray.direction, tri.n);
-        let scale = P::divide(det);
-        let hit = P::keep(P::divisible(det), 1)?;
-        let oa = tri.a - ray.origin;
-        if P::Leading::DISTANCE {
-            let t = P::signed(P::dot(tri.n, oa), scale);
-            let hit = P::keep_range(hit, ray, t, scale, 2)?;
-            let (hit, u, v) = keep_inside::<P, R>(hit, ray, oa, tri, scale)?;
-            P::finish(hit, ray, [t, u, v], scale)
-        } else {
-            let (hit, u, v) = keep_inside::<P, R>(hit, ray, oa, tri, scale)?;
-            let t = P::signed(P::dot(tri.n, oa), scale);
-            let hit = P::keep_range(hit, ray, t, scale, 2)?;
-            P::finish(hit, ray, [t, u, v], scale)
-        }
+        test_knowing::<P, R>(ray, tri, Known::NOTHING)
     }
 
     #[inline(always)]
     fn normal<P: Policy, R: Real>(tri: &Frame<R>) -> Vec3<R> {
         P::cross(tri.ca, tri.ab)
+    }
+}
+
+/// What follows from the origin: OA and N . OA.
+#[derive(Clone, Copy)]
+struct FromOrigin<R> {
+    oa: Vec3<R>,
+    depth: R,
+}
+
+/// What follows from the direction: det and the inverse of its scale.
+#[derive(Clone, Copy)]
+struct FromDirection<R> {
+    det: R,
+    inverse: R,
+}
+
+#[inline(always)]
+fn seen<R: Real>(tri: &Frame<R>, ray: &Ray<R>) -> Vec3<R> {
+    tri.a - ray.origin
+}
+
+#[inline(always)]
+fn depth<P: Policy, R: Real>(tri: &Frame<R>, oa: Vec3<R>) -> R {
+    P::dot(tri.n, oa)
+}
+
+#[inline(always)]
+fn determinant<P: Policy, R: Real>(tri: &Frame<R>, ray: &Ray<R>) -> R {
+    P::dot(ray.direction, tri.n)
+}
+
+/// The test, of which some is known.
+#[inline(always)]
+fn test_knowing<P: Policy, R: Real>(
+    ray: &Ray<R>,
+    tri: &Frame<R>,
+    known: Known<FromOrigin<R>, FromDirection<R>>,
+) -> Result<Found<R>, Miss> {
+    let det = known!(known.direction.det, determinant::<P, R>(tri, ray));
+    let scale = P::divide(det);
+    let hit = P::keep(P::divisible(det), 1)?;
+    let oa = known!(known.origin.oa, seen(tri, ray));
+    let (hit, [t, u, v]) = if P::Leading::DISTANCE {
+        let t = P::signed(known!(known.origin.depth, depth::<P, R>(tri, oa)), scale);
+        let hit = P::keep_range(hit, ray, t, scale, 2)?;
+        let (hit, u, v) = keep_inside::<P, R>(hit, ray, oa, tri, scale)?;
+        (hit, [t, u, v])
+    } else {
+        let (hit, u, v) = keep_inside::<P, R>(hit, ray, oa, tri, scale)?;
+        let t = P::signed(known!(known.origin.depth, depth::<P, R>(tri, oa)), scale);
+        (P::keep_range(hit, ray, t, scale, 2)?, [t, u, v])
+    };
+    let inverse = known!(known.direction.inverse, P::inverse(scale));
+    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+}
+
+/// OA in place of a, the edges, N.
+#[inline(always)]
+fn numbers<R: Real>(a: Vec3<R>, tri: &Frame<R>) -> [R; 12] {
+    let ([ax, ay, az], [nx, ny, nz]) = (a.0, tri.n.0);
+    let ([bx, by, bz], [cx, cy, cz]) = (tri.ab.0, tri.ca.0);
+    [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz]
+}
+
+/// What [`numbers`] wrote.
+#[inline(always)]
+fn frame<R: Real, O: Source<R>>(shared: &O) -> Frame<R> {
+    Frame { a: shared.vector(0), ab: shared.vector(3), ca: shared.vector(6), n: shared.vector(9) }
+}
+
+impl<S: Stored> Shares<CommonOrigin> for KenslerShirley<S> {
+    /// OA, the edges, N, N . OA.
+    type Shared<R: Real> = [R; 13];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Frame<R>) -> [R; 13] {
+        let oa = seen(tri, ray);
+        let [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz] = numbers(oa, tri);
+        [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, depth::<P, R>(tri, oa)]
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, O: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &O,
+    ) -> Result<Found<R>, Miss> {
+        let tri = frame(shared);
+        let origin = FromOrigin { oa: tri.a, depth: shared.number(12) };
+        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
+    }
+}
+
+impl<S: Stored> Shares<Parallel> for KenslerShirley<S> {
+    /// The corner, the edges, N, det and its inverse.
+    type Shared<R: Real> = [R; 14];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Frame<R>) -> [R; 14] {
+        let det = determinant::<P, R>(tri, ray);
+        let [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz] = numbers(tri.a, tri);
+        let inverse = P::inverse(P::divide(det));
+        [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, det, inverse]
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, O: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &O,
+    ) -> Result<Found<R>, Miss> {
+        let direction = FromDirection { det: shared.number(12), inverse: shared.number(13) };
+        let known = Known { origin: None, direction: Some(direction) };
+        test_knowing::<P, R>(ray, &frame(shared), known)
     }
 }
 

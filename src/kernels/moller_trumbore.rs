@@ -9,7 +9,8 @@
 //! Known weakness: no shared edge is evaluated the same from both sides, so rays through edges
 //! leak; d x e2 cancels for directions along an edge.
 
-use super::{About, Corners, Kernel, Source};
+use super::shares::{Known, known};
+use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Leading, Miss, Policy, Ray, Scale};
 
@@ -64,31 +65,135 @@ impl Kernel for MollerTrumbore {
 
     #[inline(always)]
     fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
-        let p = P::cross(ray.direction, tri.e2);
-        let det = P::dot(tri.e1, p);
-        let scale = P::divide(det);
-        let hit = P::keep(P::divisible(det), 1)?;
-        let s = ray.origin - tri.a;
-        if P::Leading::DISTANCE {
-            let q = P::cross(s, tri.e1);
-            let t = P::signed(P::dot(tri.e2, q), scale);
-            let hit = P::keep_range(hit, ray, t, scale, 4)?;
-            let (hit, u) = keep_u::<P, R>(hit, s, p, scale)?;
-            let (hit, v) = keep_v::<P, R>(hit, ray, q, u, scale)?;
-            P::finish(hit, ray, [t, u, v], scale)
-        } else {
-            let (hit, u) = keep_u::<P, R>(hit, s, p, scale)?;
-            let q = P::cross(s, tri.e1);
-            let (hit, v) = keep_v::<P, R>(hit, ray, q, u, scale)?;
-            let t = P::signed(P::dot(tri.e2, q), scale);
-            let hit = P::keep_range(hit, ray, t, scale, 4)?;
-            P::finish(hit, ray, [t, u, v], scale)
-        }
+        test_knowing::<P, R>(ray, tri, Known::NOTHING)
     }
 
     #[inline(always)]
     fn normal<P: Policy, R: Real>(tri: &Met<R>) -> Vec3<R> {
         P::cross(tri.e1, tri.e2)
+    }
+}
+
+/// What follows from the origin: s, q, and e2 . q.
+#[derive(Clone, Copy)]
+struct FromOrigin<R> {
+    s: Vec3<R>,
+    q: Vec3<R>,
+    depth: R,
+}
+
+/// What follows from the direction: p, det and the inverse of its scale.
+#[derive(Clone, Copy)]
+struct FromDirection<R> {
+    p: Vec3<R>,
+    det: R,
+    inverse: R,
+}
+
+impl<R: Real> Met<R> {
+    #[inline(always)]
+    fn s(&self, ray: &Ray<R>) -> Vec3<R> {
+        ray.origin - self.a
+    }
+    #[inline(always)]
+    fn q<P: Policy>(&self, s: Vec3<R>) -> Vec3<R> {
+        P::cross(s, self.e1)
+    }
+    #[inline(always)]
+    fn depth<P: Policy>(&self, q: Vec3<R>) -> R {
+        P::dot(self.e2, q)
+    }
+    #[inline(always)]
+    fn p<P: Policy>(&self, ray: &Ray<R>) -> Vec3<R> {
+        P::cross(ray.direction, self.e2)
+    }
+    #[inline(always)]
+    fn det<P: Policy>(&self, p: Vec3<R>) -> R {
+        P::dot(self.e1, p)
+    }
+}
+
+/// The test, of which some is known.
+#[inline(always)]
+fn test_knowing<P: Policy, R: Real>(
+    ray: &Ray<R>,
+    tri: &Met<R>,
+    known: Known<FromOrigin<R>, FromDirection<R>>,
+) -> Result<Found<R>, Miss> {
+    let p = known!(known.direction.p, tri.p::<P>(ray));
+    let det = known!(known.direction.det, tri.det::<P>(p));
+    let scale = P::divide(det);
+    let hit = P::keep(P::divisible(det), 1)?;
+    let s = known!(known.origin.s, tri.s(ray));
+    let (hit, [t, u, v]) = if P::Leading::DISTANCE {
+        let q = known!(known.origin.q, tri.q::<P>(s));
+        let t = P::signed(known!(known.origin.depth, tri.depth::<P>(q)), scale);
+        let hit = P::keep_range(hit, ray, t, scale, 4)?;
+        let (hit, u) = keep_u::<P, R>(hit, s, p, scale)?;
+        let (hit, v) = keep_v::<P, R>(hit, ray, q, u, scale)?;
+        (hit, [t, u, v])
+    } else {
+        let (hit, u) = keep_u::<P, R>(hit, s, p, scale)?;
+        let q = known!(known.origin.q, tri.q::<P>(s));
+        let (hit, v) = keep_v::<P, R>(hit, ray, q, u, scale)?;
+        let t = P::signed(known!(known.origin.depth, tri.depth::<P>(q)), scale);
+        (P::keep_range(hit, ray, t, scale, 4)?, [t, u, v])
+    };
+    let inverse = known!(known.direction.inverse, P::inverse(scale));
+    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+}
+
+impl Shares<CommonOrigin> for MollerTrumbore {
+    /// s, q, the edges, e2 . q.
+    type Shared<R: Real> = [R; 13];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> [R; 13] {
+        let s = tri.s(ray);
+        let q = tri.q::<P>(s);
+        let ([sx, sy, sz], [qx, qy, qz]) = (s.0, q.0);
+        let ([ax, ay, az], [bx, by, bz]) = (tri.e1.0, tri.e2.0);
+        [sx, sy, sz, qx, qy, qz, ax, ay, az, bx, by, bz, tri.depth::<P>(q)]
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Found<R>, Miss> {
+        // The corner itself is behind s.
+        let tri = Met { a: shared.vector(0), e1: shared.vector(6), e2: shared.vector(9) };
+        let origin =
+            FromOrigin { s: shared.vector(0), q: shared.vector(3), depth: shared.number(12) };
+        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
+    }
+}
+
+impl Shares<Parallel> for MollerTrumbore {
+    /// The corner, the edges, p, det and its inverse.
+    type Shared<R: Real> = [R; 14];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> [R; 14] {
+        let p = tri.p::<P>(ray);
+        let det = tri.det::<P>(p);
+        let ([ax, ay, az], [px, py, pz]) = (tri.a.0, p.0);
+        let ([bx, by, bz], [cx, cy, cz]) = (tri.e1.0, tri.e2.0);
+        let inverse = P::inverse(P::divide(det));
+        [ax, ay, az, bx, by, bz, cx, cy, cz, px, py, pz, det, inverse]
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Found<R>, Miss> {
+        let tri = Met { a: shared.vector(0), e1: shared.vector(3), e2: shared.vector(6) };
+        let (p, det, inverse) = (shared.vector(9), shared.number(12), shared.number(13));
+        let direction = FromDirection { p, det, inverse };
+        test_knowing::<P, R>(ray, &tri, Known { origin: None, direction: Some(direction) })
     }
 }
 

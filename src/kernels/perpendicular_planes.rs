@@ -9,8 +9,9 @@
 //! Known weakness: the planes' constants cancel far from the origin; |N|^2 has degree 4, so it
 //! leaves the range of f32 for triangles below 1e-10 and above 1e9.
 
+use super::shares::{Known, known};
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel, Source};
+use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray, Scale};
 
@@ -61,6 +62,39 @@ impl Kernel for PerpendicularPlanes {
 
     #[inline(always)]
     fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Planes<T> {
+        Planes::of(stored)
+    }
+
+    #[inline(always)]
+    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
+
+    #[inline(always)]
+    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Planes<R>) -> Result<Found<R>, Miss> {
+        test_knowing::<P, R>(ray, tri, Known::NOTHING)
+    }
+
+    #[inline(always)]
+    fn normal<P: Policy, R: Real>(tri: &Planes<R>) -> Vec3<R> {
+        tri.n
+    }
+}
+
+/// What follows from the origin: how far it is from the plane.
+#[derive(Clone, Copy)]
+struct FromOrigin<R> {
+    height: R,
+}
+
+/// What follows from the direction: det and the inverse of its scale.
+#[derive(Clone, Copy)]
+struct FromDirection<R> {
+    det: R,
+    inverse: R,
+}
+
+impl<R: Real> Planes<R> {
+    #[inline(always)]
+    fn of<S: Source<R>>(stored: &S) -> Self {
         Planes {
             n: stored.vector(0),
             nd: stored.number(3),
@@ -70,26 +104,83 @@ impl Kernel for PerpendicularPlanes {
             cd: stored.number(11),
         }
     }
+    #[inline(always)]
+    fn height<P: Policy>(&self, ray: &Ray<R>) -> R {
+        self.nd - P::dot(ray.origin, self.n)
+    }
+    #[inline(always)]
+    fn det<P: Policy>(&self, ray: &Ray<R>) -> R {
+        P::dot(ray.direction, self.n)
+    }
+    /// `nd` in the place of the plane's own distance.
+    #[inline(always)]
+    fn numbers(&self, nd: R) -> [R; 12] {
+        let ([nx, ny, nz], [bx, by, bz], [cx, cy, cz]) = (self.n.0, self.b.0, self.c.0);
+        [nx, ny, nz, nd, bx, by, bz, self.bd, cx, cy, cz, self.cd]
+    }
+}
+
+/// The test, of which some is known.
+#[inline(always)]
+fn test_knowing<P: Policy, R: Real>(
+    ray: &Ray<R>,
+    tri: &Planes<R>,
+    known: Known<FromOrigin<R>, FromDirection<R>>,
+) -> Result<Found<R>, Miss> {
+    let det = known!(known.direction.det, tri.det::<P>(ray));
+    let hit = P::keep(P::divisible(det), 1)?;
+    let (t, scale) = P::quotient(known!(known.origin.height, tri.height::<P>(ray)), det);
+    let hit = P::keep_range(hit, ray, t, scale, 2)?;
+    let point = point_on::<P, R>(ray, t, scale);
+    let u = share::<P, R>(point, tri.b, tri.bd, scale);
+    let v = share::<P, R>(point, tri.c, tri.cd, scale);
+    let hit = P::keep(hit & P::inside(u, v, scale), 3)?;
+    let inverse = known!(known.direction.inverse, P::inverse(scale));
+    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+}
+
+impl Shares<CommonOrigin> for PerpendicularPlanes {
+    /// The planes, the first one's distance counted from the origin of the rays.
+    type Shared<R: Real> = [R; 12];
 
     #[inline(always)]
-    fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
-
-    #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Planes<R>) -> Result<Found<R>, Miss> {
-        let det = P::dot(ray.direction, tri.n);
-        let hit = P::keep(P::divisible(det), 1)?;
-        let (t, scale) = P::quotient(tri.nd - P::dot(ray.origin, tri.n), det);
-        let hit = P::keep_range(hit, ray, t, scale, 2)?;
-        let point = point_on::<P, R>(ray, t, scale);
-        let u = share::<P, R>(point, tri.b, tri.bd, scale);
-        let v = share::<P, R>(point, tri.c, tri.cd, scale);
-        let hit = P::keep(hit & P::inside(u, v, scale), 3)?;
-        P::finish(hit, ray, [t, u, v], scale)
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Planes<R>) -> [R; 12] {
+        tri.numbers(tri.height::<P>(ray))
     }
 
     #[inline(always)]
-    fn normal<P: Policy, R: Real>(tri: &Planes<R>) -> Vec3<R> {
-        tri.n
+    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Found<R>, Miss> {
+        let tri = Planes::of(shared);
+        let origin = FromOrigin { height: tri.nd };
+        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
+    }
+}
+
+impl Shares<Parallel> for PerpendicularPlanes {
+    /// The planes, det and its inverse.
+    type Shared<R: Real> = [R; 14];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Planes<R>) -> [R; 14] {
+        let det = tri.det::<P>(ray);
+        let [nx, ny, nz, nd, bx, by, bz, bd, cx, cy, cz, cd] = tri.numbers(tri.nd);
+        let inverse = P::inverse(P::divide(det));
+        [nx, ny, nz, nd, bx, by, bz, bd, cx, cy, cz, cd, det, inverse]
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Found<R>, Miss> {
+        let direction = FromDirection { det: shared.number(12), inverse: shared.number(13) };
+        let known = Known { origin: None, direction: Some(direction) };
+        test_knowing::<P, R>(ray, &Planes::of(shared), known)
     }
 }
 

@@ -10,7 +10,7 @@
 //! Operations of a hit with m: 34 x, 24 +-, 2 /, and per packet 24 x, 30 +-.
 //! Known weakness: A x B of absolute coordinates cancels with the square of the offset.
 
-use super::half_spaces::finish_sides;
+use super::half_spaces::{Depth, finish_sides};
 use super::{About, Corners, Kernel, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray};
@@ -100,7 +100,7 @@ impl Kernel for Plucker {
             tri.ca.side::<P>(ray, *moment),
             tri.ab.side::<P>(ray, *moment),
         ];
-        finish_sides::<P, R>(ray, sides, tri.n, tri.a - ray.origin)
+        finish_sides::<P, R>(ray, sides, tri.n, Depth::To(tri.a - ray.origin))
     }
 
     #[inline(always)]

@@ -12,8 +12,9 @@
 //! of f32 for triangles below 1e-10 and above 1e9.
 
 use super::perpendicular_planes::planes;
+use super::shares::{Known, known};
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel, Source};
+use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray};
 
@@ -89,7 +90,7 @@ impl Kernel for WoopAffine {
 
     #[inline(always)]
     fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Rows<T> {
-        Rows { z: Row::read(stored, 0), x: Row::read(stored, 4), y: Row::read(stored, 8) }
+        Rows::of(stored)
     }
 
     #[inline(always)]
@@ -97,21 +98,114 @@ impl Kernel for WoopAffine {
 
     #[inline(always)]
     fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Rows<R>) -> Result<Found<R>, Miss> {
-        let det = tri.z.of_direction::<P>(ray);
-        let hit = P::keep(P::divisible(det), 1)?;
-        let (t, scale) = P::quotient(-tri.z.of_origin::<P>(ray), det);
-        let hit = P::keep_range(hit, ray, t, scale, 2)?;
-        let (o, d) = (tri.x.of_origin::<P>(ray), tri.x.of_direction::<P>(ray));
-        let u = P::along(o, d, t, scale);
-        let hit = P::keep(hit & P::share(u, scale), 3)?;
-        let (o, d) = (tri.y.of_origin::<P>(ray), tri.y.of_direction::<P>(ray));
-        let v = P::along(o, d, t, scale);
-        let hit = P::keep(hit & P::beside(u, v, scale), 4)?;
-        P::finish(hit, ray, [t, u, v], scale)
+        test_knowing::<P, R>(ray, tri, Known::NOTHING)
     }
 
     #[inline(always)]
     fn normal<P: Policy, R: Real>(tri: &Rows<R>) -> Vec3<R> {
         tri.z.factors
+    }
+}
+
+/// What follows from the origin: its place in the triangle's coordinates.
+#[derive(Clone, Copy)]
+struct FromOrigin<R> {
+    x: R,
+    y: R,
+    z: R,
+}
+
+/// What follows from the direction: its components there, and the inverse of the scale of z.
+#[derive(Clone, Copy)]
+struct FromDirection<R> {
+    x: R,
+    y: R,
+    z: R,
+    inverse: R,
+}
+
+impl<R: Real> Rows<R> {
+    #[inline(always)]
+    fn of<S: Source<R>>(stored: &S) -> Self {
+        Rows { z: Row::read(stored, 0), x: Row::read(stored, 4), y: Row::read(stored, 8) }
+    }
+    /// `z`, `x` and `y` in the places of the rows' own offsets.
+    #[inline(always)]
+    fn numbers(&self, [z, x, y]: [R; 3]) -> [R; 12] {
+        let ([zx, zy, zz], [xx, xy, xz]) = (self.z.factors.0, self.x.factors.0);
+        let [yx, yy, yz] = self.y.factors.0;
+        [zx, zy, zz, z, xx, xy, xz, x, yx, yy, yz, y]
+    }
+}
+
+/// The test, of which some is known.
+#[inline(always)]
+fn test_knowing<P: Policy, R: Real>(
+    ray: &Ray<R>,
+    tri: &Rows<R>,
+    known: Known<FromOrigin<R>, FromDirection<R>>,
+) -> Result<Found<R>, Miss> {
+    let det = known!(known.direction.z, tri.z.of_direction::<P>(ray));
+    let hit = P::keep(P::divisible(det), 1)?;
+    let (t, scale) = P::quotient(-known!(known.origin.z, tri.z.of_origin::<P>(ray)), det);
+    let hit = P::keep_range(hit, ray, t, scale, 2)?;
+    let o = known!(known.origin.x, tri.x.of_origin::<P>(ray));
+    let d = known!(known.direction.x, tri.x.of_direction::<P>(ray));
+    let u = P::along(o, d, t, scale);
+    let hit = P::keep(hit & P::share(u, scale), 3)?;
+    let o = known!(known.origin.y, tri.y.of_origin::<P>(ray));
+    let d = known!(known.direction.y, tri.y.of_direction::<P>(ray));
+    let v = P::along(o, d, t, scale);
+    let hit = P::keep(hit & P::beside(u, v, scale), 4)?;
+    let inverse = known!(known.direction.inverse, P::inverse(scale));
+    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+}
+
+impl Shares<CommonOrigin> for WoopAffine {
+    /// The rows, with the origin's components in the places of the offsets.
+    type Shared<R: Real> = [R; 12];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Rows<R>) -> [R; 12] {
+        let [z, x, y] = [&tri.z, &tri.x, &tri.y];
+        tri.numbers([z.of_origin::<P>(ray), x.of_origin::<P>(ray), y.of_origin::<P>(ray)])
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Found<R>, Miss> {
+        let tri = Rows::of(shared);
+        let origin = FromOrigin { x: tri.x.offset, y: tri.y.offset, z: tri.z.offset };
+        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
+    }
+}
+
+impl Shares<Parallel> for WoopAffine {
+    /// The rows, the direction's components, the inverse of that of z.
+    type Shared<R: Real> = [R; 16];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Rows<R>) -> [R; 16] {
+        let offsets = [tri.z.offset, tri.x.offset, tri.y.offset];
+        let [zx, zy, zz, z, xx, xy, xz, x, yx, yy, yz, y] = tri.numbers(offsets);
+        let det = tri.z.of_direction::<P>(ray);
+        let (dx, dy) = (tri.x.of_direction::<P>(ray), tri.y.of_direction::<P>(ray));
+        let inverse = P::inverse(P::divide(det));
+        [zx, zy, zz, z, xx, xy, xz, x, yx, yy, yz, y, det, dx, dy, inverse]
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Found<R>, Miss> {
+        let (z, inverse) = (shared.number(12), shared.number(15));
+        let [x, y] = shared.pair(13);
+        let known = Known { origin: None, direction: Some(FromDirection { x, y, z, inverse }) };
+        test_knowing::<P, R>(ray, &Rows::of(shared), known)
     }
 }

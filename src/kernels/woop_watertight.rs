@@ -22,7 +22,7 @@
 
 use std::marker::PhantomData;
 
-use super::{About, Corners, Edges, Kernel, Source};
+use super::{About, CommonOrigin, Corners, Edges, Kernel, Shares, Source};
 use crate::number::{Axis, Element, Real, Vec3};
 use crate::policy::{Found, Miss, Policy, Ray, Rounding};
 
@@ -38,15 +38,21 @@ pub struct Aim<R: Real> {
 }
 
 impl<R: Real> Aim<R> {
-    /// A vertex, relative to the origin and sheared: (-x', -y'), and z in units of t.
+    /// A vertex relative to the origin, along (x, y, z).
     #[inline(always)]
-    fn sheared<P: Policy>(&self, vertex: &Vec3<R>) -> ([R; 2], R) {
+    fn seen(&self, vertex: &Vec3<R>) -> [R; 3] {
+        let [x, y, z] = self.turned(vertex);
+        [x - self.origin[0], y - self.origin[1], z - self.origin[2]]
+    }
+    /// A vector along (x, y, z).
+    #[inline(always)]
+    fn turned(&self, vector: &Vec3<R>) -> [R; 3] {
         let (x, y) = (self.z.next(), self.z.next().next());
-        let p = [
-            x.pick(vertex) - self.origin[0],
-            y.pick(vertex) - self.origin[1],
-            self.z.pick(vertex) - self.origin[2],
-        ];
+        [x.pick(vector), y.pick(vector), self.z.pick(vector)]
+    }
+    /// Sheared: (-x', -y'), and z in units of t.
+    #[inline(always)]
+    fn sheared<P: Policy>(&self, p: [R; 3]) -> ([R; 2], R) {
         let across = [
             P::Rounding::multiply_subtract(self.shear[0], p[2], p[0]),
             P::Rounding::multiply_subtract(self.shear[1], p[2], p[1]),
@@ -99,24 +105,57 @@ impl<E: Edges> Kernel for WoopWatertight<E> {
         aim: &Aim<R>,
         tri: &Corners<R>,
     ) -> Result<Found<R>, Miss> {
-        let ((a, az), (b, bz), (c, cz)) =
-            (aim.sheared::<P>(&tri.a), aim.sheared::<P>(&tri.b), aim.sheared::<P>(&tri.c));
-        let [wa, wb, wc] = E::functions::<P, R>([a, b, c]);
-        let zero = wa.zero();
-        let inside =
-            (wa.ge(zero) & wb.ge(zero) & wc.ge(zero)) | (wa.le(zero) & wb.le(zero) & wc.le(zero));
-        let det = wa + wb + wc;
-        let hit = P::keep(inside & P::divisible(det) & P::finite(det), 1)?;
-        let scale = P::divide(det);
-        let depth = P::multiply_add(wc, cz, P::multiply_add(wb, bz, wa * az));
-        let t = P::signed(depth, scale);
-        let hit = P::keep_range(hit, ray, t, scale, 2)?;
-        P::finish(hit, ray, [t, P::signed(wb, scale), P::signed(wc, scale)], scale)
+        test_seen::<E, P, R>(ray, aim, [aim.seen(&tri.a), aim.seen(&tri.b), aim.seen(&tri.c)])
     }
 
     #[inline(always)]
     fn normal<P: Policy, R: Real>(tri: &Corners<R>) -> Vec3<R> {
         let (e1, e2) = tri.edges();
         P::cross(e1, e2)
+    }
+}
+
+/// The test of three corners relative to the origin, along the ray's axes.
+#[inline(always)]
+fn test_seen<E: Edges, P: Policy, R: Real>(
+    ray: &Ray<R>,
+    aim: &Aim<R>,
+    [a, b, c]: [[R; 3]; 3],
+) -> Result<Found<R>, Miss> {
+    let ((a, az), (b, bz), (c, cz)) =
+        (aim.sheared::<P>(a), aim.sheared::<P>(b), aim.sheared::<P>(c));
+    let [wa, wb, wc] = E::functions::<P, R>([a, b, c]);
+    let zero = wa.zero();
+    let inside =
+        (wa.ge(zero) & wb.ge(zero) & wc.ge(zero)) | (wa.le(zero) & wb.le(zero) & wc.le(zero));
+    let det = wa + wb + wc;
+    let hit = P::keep(inside & P::divisible(det) & P::finite(det), 1)?;
+    let scale = P::divide(det);
+    let depth = P::multiply_add(wc, cz, P::multiply_add(wb, bz, wa * az));
+    let t = P::signed(depth, scale);
+    let hit = P::keep_range(hit, ray, t, scale, 2)?;
+    P::finish(hit, ray, [t, P::signed(wb, scale), P::signed(wc, scale)], scale)
+}
+
+impl<E: Edges> Shares<CommonOrigin> for WoopWatertight<E> {
+    /// The corners relative to the origin: each ray has axes of its own to see them along.
+    type Shared<R: Real> = [R; 9];
+
+    #[inline(always)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Corners<R>) -> [R; 9] {
+        let o = ray.origin;
+        let ([ax, ay, az], [bx, by, bz]) = ((tri.a - o).0, (tri.b - o).0);
+        let [cx, cy, cz] = (tri.c - o).0;
+        [ax, ay, az, bx, by, bz, cx, cy, cz]
+    }
+
+    #[inline(always)]
+    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        aim: &Aim<R>,
+        shared: &S,
+    ) -> Result<Found<R>, Miss> {
+        let Corners { a, b, c } = Corners::read(shared, 0);
+        test_seen::<E, P, R>(ray, aim, [aim.turned(&a), aim.turned(&b), aim.turned(&c)])
     }
 }

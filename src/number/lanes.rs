@@ -20,6 +20,7 @@ pub struct Lanes<S, V>(V, PhantomData<S>);
 pub struct LaneMask<S, M>(M, PhantomData<S>);
 
 impl<S: Simd, M: SimdMask<S>> Mask for LaneMask<S, M> {
+    const LANES: usize = M::LEN;
     #[inline(always)]
     fn any(self) -> bool {
         self.0.any_true()

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `f32`, `f64` | the single-ray forms |
 //! | [`Lanes`] | packets: one lane a ray, in the registers of an instruction-set level |
+//! | [`Twice`] | packets of two registers, or of four |
 //! | [`Counted`] | the operations that a test executes, by kind |
 //! | [`Flushed`] | what a processor computes that flushes subnormal numbers to zero |
 //! | `Exact` (tests) | rational numbers: the algebra without rounding |
@@ -18,6 +19,7 @@ mod lanes;
 mod precision;
 mod scalar;
 mod spread;
+mod twice;
 mod vector;
 
 pub use axis::{Axis, dominant};
@@ -27,12 +29,15 @@ pub use lanes::{LaneMask, Lanes};
 pub use precision::{Precision, exponent, power_of_two};
 pub use spread::Spread;
 pub(crate) use spread::spread;
+pub use twice::Twice;
 pub use vector::Vec3;
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// The answer of a comparison: one truth value per lane.
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// Number of lanes.
+    const LANES: usize;
     /// True if any lane is.
     fn any(self) -> bool;
     /// The truth value of one lane; `lane` is below [`Real::LANES`].

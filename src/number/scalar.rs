@@ -5,6 +5,7 @@ use std::hint::black_box;
 use super::{Element, Mask, Real};
 
 impl Mask for bool {
+    const LANES: usize = 1;
     #[inline(always)]
     fn any(self) -> bool {
         self

@@ -210,17 +210,27 @@ impl Facing for Cull {
 pub trait Span: Copy + 'static {
     /// t_min is zero and not read, as in both theses: one multiplication less in `last`.
     const FROM_ZERO: bool;
+    /// t_max is the distance of the nearest hit so far: who keeps it compares with it anyhow.
+    const NEARER: bool = false;
 }
 
 /// From zero to t_max.
 #[derive(Clone, Copy)]
 pub struct FromZero;
+/// From zero to the nearest hit so far.
+#[derive(Clone, Copy)]
+pub struct Nearer;
 /// From t_min to t_max.
 #[derive(Clone, Copy)]
 pub struct Between;
 
 impl Span for FromZero {
     const FROM_ZERO: bool = true;
+}
+
+impl Span for Nearer {
+    const FROM_ZERO: bool = true;
+    const NEARER: bool = true;
 }
 
 impl Span for Between {

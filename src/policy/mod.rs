@@ -5,15 +5,15 @@
 //! of [`Policy`]: a `?` behind each test, and numerators that are compared with `one`.
 
 mod axes;
+mod form;
 mod scale;
 mod tests;
 
-use std::marker::PhantomData;
-
 pub use axes::{
     Between, Cull, Distance, Early, Exit, Facing, FromZero, Full, Fused, Hit, Inside, Leading,
-    Output, Plain, Rounding, Span, Surface, T, Tuv, TwoSided,
+    Nearer, Output, Plain, Rounding, Span, Surface, T, Tuv, TwoSided,
 };
+pub use form::{BothFaces, Form};
 pub use scale::{Division, First, Last, Scale};
 pub use tests::{Compare, Products, SignBits, Tests};
 
@@ -117,9 +117,19 @@ pub trait Policy: Copy + 'static {
             Self::keep(mask & Self::within(ray, t, scale), code)
         }
     }
-    /// Where t / one is within the ray's closed range.
+    /// The upper bound of t is left to the search for the nearest hit, which compares every hit with
+    /// the one before it. Forms that leave early leave by the bound; where only the hit is wanted
+    /// nobody keeps a distance.
+    const LEAVES_BOUND: bool = Self::Exit::DEFERS_RANGE && Self::IS_SEARCH;
+    /// Whoever is given the answer keeps the nearest hit, and takes none that is not nearer.
+    const IS_SEARCH: bool = Self::Span::NEARER && Self::Output::T;
+
+    /// Where t / one is within the ray's closed range; in a search, where it is not negative.
     #[inline(always)]
     fn within<R: Real>(ray: &Ray<R>, t: R, scale: Scale<R>) -> R::Mask {
+        if Self::LEAVES_BOUND {
+            return Self::Tests::ahead(t);
+        }
         let lower = if Self::Span::FROM_ZERO { t.zero() } else { Self::scaled(ray.t_min, scale) };
         Self::Tests::range::<Self::Span, R>(t, lower, Self::scaled(ray.t_max, scale))
     }
@@ -180,16 +190,31 @@ pub trait Policy: Copy + 'static {
         Scale { factor: b.factor, one: Self::scaled(b.one, a) }
     }
 
+    /// What late division multiplies by.
+    #[inline(always)]
+    fn inverse<R: Real>(scale: Scale<R>) -> R {
+        Self::Division::inverse(scale)
+    }
     /// The answer where t, u and v share their denominator: late division, deferred range test.
     #[inline(always)]
     fn finish<R: Real>(
         hit: R::Mask,
         ray: &Ray<R>,
-        [t, u, v]: [R; 3],
+        numerators: [R; 3],
         scale: Scale<R>,
     ) -> Result<Found<R>, Miss> {
+        Self::finish_by(hit, ray, numerators, scale, Self::inverse(scale))
+    }
+    /// [`Policy::finish`], the inverse of `scale` being known.
+    #[inline(always)]
+    fn finish_by<R: Real>(
+        hit: R::Mask,
+        ray: &Ray<R>,
+        [t, u, v]: [R; 3],
+        scale: Scale<R>,
+        inverse: R,
+    ) -> Result<Found<R>, Miss> {
         let hit = if Self::Exit::DEFERS_RANGE { hit & Self::within(ray, t, scale) } else { hit };
-        let inverse = Self::Division::inverse(scale);
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, inverse), resolve(u, inverse), resolve(v, inverse)];
         Ok(Found { hit: Self::reached(hit, ray, t, inverse), t, u, v })
@@ -215,61 +240,24 @@ pub trait Policy: Copy + 'static {
     /// `hit` where t, which passed the test of its range, is finite, and the determinant, whose
     /// reciprocal is `inverse`. Divided last, t was tested as a numerator; the quotient can overflow,
     /// and so can the bounds that are scaled for it; below an infinite determinant is everything. A
-    /// search for the nearest hit, whose forms are those from zero, compares t with its bound anyhow.
+    /// search takes only what is nearer than its bound, which is finite.
     #[inline(always)]
     fn reached<R: Real>(hit: R::Mask, ray: &Ray<R>, t: R, inverse: R) -> R::Mask {
         if !Self::Division::BEHIND_TESTS || Self::Tests::AS_PUBLISHED {
             return hit;
         }
         let hit = hit & inverse.ne(inverse.zero());
-        if Self::Span::FROM_ZERO { hit & t.le(ray.t_max) } else { hit & Self::finite(t) }
+        if Self::IS_SEARCH {
+            hit
+        } else if Self::Span::FROM_ZERO {
+            hit & t.le(ray.t_max)
+        } else {
+            hit & Self::finite(t)
+        }
     }
     /// Where a number is finite.
     #[inline(always)]
     fn finite<R: Real>(x: R) -> R::Mask {
         x.signed_by(x).le(x.like(R::Element::MAX))
     }
-}
-
-/// The form with these values of the axes.
-#[derive(Clone, Copy)]
-#[allow(clippy::type_complexity, reason = "one marker per axis, in the order of a variant's id")]
-pub struct Form<E, D, A, O, F = TwoSided, T = Compare, L = Distance, S = FromZero>(
-    PhantomData<(E, D, A, O, F, T, L, S)>,
-);
-
-impl<E, D, A, O, F, T, L, S> Policy for Form<E, D, A, O, F, T, L, S>
-where
-    E: Exit,
-    D: Division,
-    A: Rounding,
-    O: Output,
-    F: Facing,
-    T: Tests,
-    L: Leading,
-    S: Span,
-{
-    type Exit = E;
-    type Division = D;
-    type Rounding = A;
-    type Output = O;
-    type Facing = F;
-    type Tests = T;
-    type Leading = L;
-    type Span = S;
-}
-
-/// `P` with both faces: for kernels whose determinant does not carry the face in its sign.
-#[derive(Clone, Copy)]
-pub struct BothFaces<P>(PhantomData<P>);
-
-impl<P: Policy> Policy for BothFaces<P> {
-    type Exit = P::Exit;
-    type Division = P::Division;
-    type Rounding = P::Rounding;
-    type Output = P::Output;
-    type Facing = TwoSided;
-    type Tests = P::Tests;
-    type Leading = P::Leading;
-    type Span = P::Span;
 }

@@ -15,6 +15,8 @@ pub trait Tests: Copy + 'static {
     const AS_PUBLISHED: bool = Self::SIGN_BITS || Self::PRODUCTS;
     /// Where `t` is in `[lower, upper]`.
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask;
+    /// Where `t` is not negative.
+    fn ahead<R: Real>(t: R) -> R::Mask;
     /// Where `u` is in `[0, one]`.
     fn share<R: Real>(u: R, one: R) -> R::Mask;
     /// Where `v` and one - u - v are not negative, `u` being known to be a share.
@@ -43,6 +45,10 @@ impl Tests for Compare {
         t.ge(lower) & t.le(upper)
     }
     #[inline(always)]
+    fn ahead<R: Real>(t: R) -> R::Mask {
+        t.ge(t.zero())
+    }
+    #[inline(always)]
     fn share<R: Real>(u: R, one: R) -> R::Mask {
         u.ge(u.zero()) & u.le(one)
     }
@@ -66,6 +72,10 @@ impl Tests for SignBits {
         !above.signed_by(upper - t).sign_bit()
     }
     #[inline(always)]
+    fn ahead<R: Real>(t: R) -> R::Mask {
+        !t.sign_bit()
+    }
+    #[inline(always)]
     fn share<R: Real>(u: R, one: R) -> R::Mask {
         !u.signed_by(one - u).sign_bit()
     }
@@ -86,6 +96,10 @@ impl Tests for Products {
     #[inline(always)]
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask {
         Compare::range::<S, R>(t, lower, upper)
+    }
+    #[inline(always)]
+    fn ahead<R: Real>(t: R) -> R::Mask {
+        Compare::ahead(t)
     }
     #[inline(always)]
     fn share<R: Real>(u: R, one: R) -> R::Mask {

@@ -5,11 +5,11 @@ use crate::batch::{Aos, Aosoa, Bundle, Group, Layout, Nearest, NearestLoop, Shap
 use crate::level::{self, Level, On, enter};
 use crate::number::{Element, Real};
 use crate::policy::{
-    Compare, Early, Exit, First, Form, FromZero, Full, Last, Plain, Policy, Rounding, Tuv, TwoSided,
+    Compare, Early, Exit, First, Form, Full, Last, Nearer, Plain, Policy, Rounding, Tuv, TwoSided,
 };
 
 use super::forms::{drive, numbers};
-use super::{Axes, KernelVisitor, Offers, Variant, bind_nearest, visit_kernels};
+use super::{Axes, KernelVisitor, Offers, Variant, bind_nearest, registers, visit_kernels};
 
 /// Every kernel that is driven in other ways.
 pub fn all(v: &mut Vec<Variant>) {
@@ -35,25 +35,12 @@ impl KernelVisitor for Driven<'_> {
 }
 
 /// A form of `K` with t, u and v.
-type Of<K, E, D, A> = Form<E, D, A, Tuv, TwoSided, Compare, <K as Offers>::Native, FromZero>;
+pub type Of<K, E, D, A> = Form<E, D, A, Tuv, TwoSided, Compare, <K as Offers>::Native, Nearer>;
 
 #[cfg(target_arch = "x86_64")]
 type Base = level::Sse2;
 #[cfg(target_arch = "aarch64")]
 type Base = level::Neon;
-
-#[cfg(target_arch = "x86_64")]
-mod lanes {
-    use fearless_simd::{f32x4, f32x8, f32x16};
-
-    use crate::level::{Avx2, Avx512, Level, Sse2};
-    use crate::number::Lanes;
-
-    type Token<L> = <L as Level>::Token;
-    pub type Four = Lanes<Token<Sse2>, f32x4<Token<Sse2>>>;
-    pub type Eight = Lanes<Token<Avx2>, f32x8<Token<Avx2>>>;
-    pub type Sixteen = Lanes<Token<Avx512>, f32x16<Token<Avx512>>>;
-}
 
 /// One ray against as many triangles as a register of the level has numbers. Of sixteen in `full` only:
 /// leaving early, Möller-Trumbore's test has one register more than there are.
@@ -62,19 +49,15 @@ fn all_groups<K: Offers>(v: &mut Vec<Variant>) {
     use crate::level::{Avx2, Avx512, Sse2};
     use crate::policy::Fused;
 
-    groups::<K, lanes::Four, Sse2, Plain, 4>(v);
-    groups::<K, lanes::Eight, Avx2, Fused, 8>(v);
-    group::<K, Full, lanes::Sixteen, Avx512, Fused, 16>(v);
+    groups::<K, registers::Four, Sse2, Plain, 4>(v);
+    groups::<K, registers::Eight, Avx2, Fused, 8>(v);
+    group::<K, Full, registers::Sixteen, Avx512, Fused, 16>(v);
 }
 
 /// One ray against as many triangles as a register of the level has numbers.
 #[cfg(target_arch = "aarch64")]
 fn all_groups<K: Offers>(v: &mut Vec<Variant>) {
-    use crate::level::Neon;
-    use crate::number::Lanes;
-
-    type N = <Neon as Level>::Token;
-    groups::<K, Lanes<N, fearless_simd::f32x4<N>>, Neon, crate::policy::Fused, 4>(v);
+    groups::<K, registers::Four, level::Neon, crate::policy::Fused, 4>(v);
 }
 
 /// Early and full, divided last where the kernel can be.
@@ -129,10 +112,10 @@ fn layouts<K: Offers>(v: &mut Vec<Variant>) {
     use crate::policy::Fused;
 
     stored::<K, Of<K, Early, Last, Plain>, f32, Base>(v);
-    stored::<K, Of<K, Early, Last, Fused>, lanes::Eight, Avx2>(v);
-    stored::<K, Of<K, Full, Last, Fused>, lanes::Eight, Avx2>(v);
-    stored::<K, Of<K, Early, Last, Fused>, lanes::Sixteen, Avx512>(v);
-    stored::<K, Of<K, Full, Last, Fused>, lanes::Sixteen, Avx512>(v);
+    stored::<K, Of<K, Early, Last, Fused>, registers::Eight, Avx2>(v);
+    stored::<K, Of<K, Full, Last, Fused>, registers::Eight, Avx2>(v);
+    stored::<K, Of<K, Early, Last, Fused>, registers::Sixteen, Avx512>(v);
+    stored::<K, Of<K, Full, Last, Fused>, registers::Sixteen, Avx512>(v);
 }
 
 /// Single rays.
@@ -150,7 +133,7 @@ fn stored<K: Offers, P: Policy, R: Real + On<L>, L: Level>(v: &mut Vec<Variant>)
 }
 
 /// One variant over all triangles: rays side by side, rays of an item, tests side by side.
-fn push<K: Offers, P: Policy, E: Element, L: Level, Y: Layout>(
+pub fn push<K: Offers, P: Policy, E: Element, L: Level, Y: Layout>(
     v: &mut Vec<Variant>,
     drive: String,
     [lanes, rays, tests]: [usize; 3],

@@ -5,8 +5,8 @@ use crate::kernels::{Kernel, MollerTrumbore};
 use crate::level::{self, Level, On, enter};
 use crate::number::{Element, Real};
 use crate::policy::{
-    Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused, Hit,
-    Inside, Last, Leading, Output, Plain, Policy, Products, Ray, Rounding, SignBits, Surface, T,
+    Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, Full, Fused, Hit, Inside,
+    Last, Leading, Nearer, Output, Plain, Policy, Products, Ray, Rounding, SignBits, Surface, T,
     Tests, Tuv, TwoSided,
 };
 
@@ -192,7 +192,7 @@ where
     if R::LANES == 1 {
         pairs = Some(enter::<L, Pairs<K, Form<E, D, A, O, F, C, Q, Between>, R::Element>, COPY>);
     }
-    let nearest = enter::<L, Nearest<K, Form<E, D, A, O, F, C, Q, FromZero>, R>, COPY>;
+    let nearest = enter::<L, Nearest<K, Form<E, D, A, O, F, C, Q, Nearer>, R>, COPY>;
     let axes = Axes {
         drive: drive::<R>(),
         copy: COPY,

@@ -9,7 +9,10 @@ mod every;
 mod forms;
 mod listings;
 mod offers;
+mod packets;
 mod points;
+mod registers;
+mod sharing;
 
 pub use arithmetic::{Unit, units};
 pub use asked::{Asked, asked};
@@ -75,7 +78,9 @@ pub fn variants() -> &'static [Variant] {
     static VARIANTS: LazyLock<Vec<Variant>> = LazyLock::new(|| {
         let mut variants = Vec::new();
         forms::all(&mut variants);
+        packets::all(&mut variants);
         drives::all(&mut variants);
+        sharing::all(&mut variants);
         points::all(&mut variants);
         listings::all(&mut variants);
         variants

@@ -27,6 +27,8 @@ const MOST_ATTEMPTS: u64 = 1000;
 const BEYOND: f32 = 0.25;
 /// Distance of the camera from the centre of the scene.
 const CAMERA: f32 = 3.0;
+/// Where parallel rays go, not normalised: no component is 0 and no two are alike.
+const DIRECTION: Vec3 = Vec3::new(1.0, -2.0, 4.0);
 
 /// How the rays of a packet belong together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -37,6 +39,9 @@ pub enum Kind {
     Random,
     /// One camera, and 16 consecutive rays are a 4 x 4 tile of its pixels.
     Coherent,
+    /// One direction, along no axis; 16 consecutive rays are a 4 x 4 tile of a picture without
+    /// perspective.
+    Parallel,
 }
 
 impl Kind {
@@ -45,6 +50,7 @@ impl Kind {
         match self {
             Kind::Random => "random",
             Kind::Coherent => "coherent",
+            Kind::Parallel => "parallel",
         }
     }
 }
@@ -112,6 +118,7 @@ impl NearestSet {
                 let ray = match spec.kind {
                     Kind::Random => random_ray(&mut source),
                     Kind::Coherent => camera.ray(index, &mut source),
+                    Kind::Parallel => camera.parallel_ray(index, &mut source),
                 };
                 if nearest_is_settled(&ray, &triangles) {
                     rays.push(ray);
@@ -217,16 +224,32 @@ impl Camera {
         Camera { columns, rows: tiles.div_ceil(columns) }
     }
 
-    /// A ray through a random point of pixel `index`, pixels counted tile by tile.
-    fn ray(&self, index: usize, source: &mut Pcg) -> Ray {
+    /// A random point of pixel `index`, pixels counted tile by tile, in the square from -1 to 1.
+    fn point(&self, index: usize, source: &mut Pcg) -> [f32; 2] {
         let (tile, pixel) = (index / PACKET, index % PACKET);
         let column = tile % self.columns * TILE + pixel % TILE;
         let row = tile / self.columns * TILE + pixel / TILE;
         let x = (column as f32 + source.unit()) / (self.columns * TILE) as f32;
         let y = (row as f32 + source.unit()) / (self.rows * TILE) as f32;
+        [2.0 * x - 1.0, 2.0 * y - 1.0]
+    }
+
+    /// A ray through a random point of pixel `index`.
+    fn ray(&self, index: usize, source: &mut Pcg) -> Ray {
+        let [x, y] = self.point(index, source);
         let origin = Vec3::new(0.0, 0.0, -CAMERA);
-        let target = Vec3::new(2.0 * x - 1.0, 2.0 * y - 1.0, 0.0);
+        let target = Vec3::new(x, y, 0.0);
         ray(origin, thesis::normalised(target - origin), CAMERA + 1.0 + BEYOND)
+    }
+
+    /// A ray along [`DIRECTION`] through a random point of pixel `index`, in the plane across it.
+    fn parallel_ray(&self, index: usize, source: &mut Pcg) -> Ray {
+        let [x, y] = self.point(index, source);
+        let direction = thesis::normalised(DIRECTION);
+        let right = thesis::normalised(direction.cross(Vec3::Y));
+        let up = right.cross(direction);
+        let origin = right * x + up * y - direction * CAMERA;
+        ray(origin, direction, CAMERA + 1.0 + BEYOND)
     }
 }
 

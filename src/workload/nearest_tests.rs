@@ -22,7 +22,7 @@ fn a_single_random_test_hits_one_time_in_ten() {
 
 #[test]
 fn nearest_triangles_are_the_oracles_and_both_outcomes_occur() {
-    for kind in [Kind::Random, Kind::Coherent] {
+    for kind in [Kind::Random, Kind::Coherent, Kind::Parallel] {
         let set = NearestSet::draw(NearestSpec { triangles: 8, rays: 800, ..spec(kind) }).unwrap();
         let mut found = 0;
         for ray in &set.rays {
@@ -83,7 +83,7 @@ fn tiles_are_neighbours_and_random_rays_are_not() {
 
 #[test]
 fn segments_end_beyond_the_scene() {
-    for kind in [Kind::Random, Kind::Coherent] {
+    for kind in [Kind::Random, Kind::Coherent, Kind::Parallel] {
         for ray in NearestSet::draw(spec(kind)).unwrap().rays {
             assert!(ray.end.length() > 1.0, "{ray:?}");
         }
@@ -93,8 +93,21 @@ fn segments_end_beyond_the_scene() {
 #[test]
 fn sets_are_golden() {
     let hash = |kind| NearestSet::draw(spec(kind)).unwrap().hash;
-    let hashes = [hash(Kind::Random), hash(Kind::Coherent)];
-    assert_eq!(hashes, [0x565d_b186_7e07_6153, 0xd142_4406_1bd4_cf1a], "{hashes:#x?}");
+    let hashes = [hash(Kind::Random), hash(Kind::Coherent), hash(Kind::Parallel)];
+    let golden = [0x565d_b186_7e07_6153, 0xd142_4406_1bd4_cf1a, 0x0];
+    assert_eq!(hashes, golden, "{hashes:#x?}");
+}
+
+#[test]
+fn a_camera_has_one_origin_and_parallel_rays_one_direction() {
+    let all_alike = |kind, of: fn(&Ray) -> Vec3| {
+        let rays = NearestSet::draw(spec(kind)).unwrap().rays;
+        rays.iter().all(|ray| of(ray) == of(&rays[0]))
+    };
+    assert!(all_alike(Kind::Coherent, |ray| ray.origin));
+    assert!(!all_alike(Kind::Coherent, |ray| ray.direction));
+    assert!(all_alike(Kind::Parallel, |ray| ray.direction));
+    assert!(!all_alike(Kind::Parallel, |ray| ray.origin));
 }
 
 #[test]

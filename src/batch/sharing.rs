@@ -1,0 +1,114 @@
+//! Packets of rays that have their origin or their direction in common: what depends on it alone is
+//! done once per triangle and packet, for as many triangles at a time as there are lanes.
+
+use std::marker::PhantomData;
+
+use super::WIDEST;
+use super::best::{ANSWER_NUMBERS, Best};
+use super::group::{Packed, everywhere};
+use super::nearest::{RAY_NUMBERS, Scene, align_frame, load, places};
+use crate::kernels::{Common, MOST_SHARED, Shares, Source};
+use crate::level::{Batch, Level, On};
+use crate::number::{Element, Real, Vec3};
+use crate::policy::{Policy, Ray};
+
+/// One loop over packets of rays `R` and groups of triangles, one to a lane of `G`, whose layout is
+/// that of [`super::Group`]. Rays of a packet must have in common what `C` says.
+pub struct Sharing<K, P, R, G, C>(PhantomData<(K, P, R, G, C)>);
+
+impl<L, K, P, R, G, C> Batch<L> for Sharing<K, P, R, G, C>
+where
+    L: Level,
+    K: Shares<C>,
+    P: Policy,
+    R: Real + On<L>,
+    G: Real<Element = R::Element, Token = R::Token>,
+    C: Common,
+{
+    type Data<'a> = Scene<'a, R::Element>;
+    type Yield = ();
+
+    #[inline(always)]
+    fn run(token: L::Token, scene: Self::Data<'_>) {
+        let token = R::token_on(token);
+        align_frame::<R>();
+        let mut kept = Kept([R::Element::ZERO; MOST_SHARED * WIDEST]);
+        let packets = scene.rays.chunks_exact(RAY_NUMBERS * R::LANES);
+        let answers = scene.answers.chunks_exact_mut(ANSWER_NUMBERS * R::LANES);
+        for (packet, answer) in packets.zip(answers) {
+            let mut ray = load::<R>(token, packet);
+            let first = everywhere::<G>(token, &first(packet));
+            let best = walk::<K, P, R, G, C>(token, &mut ray, &first, scene.numbers, &mut kept);
+            best.write::<P>(&ray, answer);
+        }
+    }
+}
+
+/// The first ray of a packet.
+#[inline(always)]
+fn first<E: Element>(packet: &[E]) -> Ray<E> {
+    let step = packet.len() / RAY_NUMBERS;
+    let mut numbers = [E::ZERO; RAY_NUMBERS];
+    for (row, number) in numbers.iter_mut().enumerate() {
+        *number = packet[row * step];
+    }
+    load::<E>((), &numbers)
+}
+
+/// What is shared of a group of triangles: as many of each number in a row as a group has lanes.
+#[repr(align(64))]
+struct Kept<E>([E; MOST_SHARED * WIDEST]);
+
+/// What is shared of one triangle, in every lane.
+struct OfOne<'a, R: Real> {
+    token: R::Token,
+    numbers: &'a [R::Element],
+    lane: usize,
+    lanes: usize,
+}
+
+impl<R: Real> Source<R> for OfOne<'_, R> {
+    #[inline(always)]
+    fn number(&self, place: usize) -> R {
+        R::splat(self.token, self.numbers[place * self.lanes + self.lane % self.lanes])
+    }
+}
+
+/// All triangles. `ray.t_max` shrinks.
+#[inline(always)]
+fn walk<K, P, R, G, C>(
+    token: R::Token,
+    ray: &mut Ray<R>,
+    first: &Ray<G>,
+    numbers: &[R::Element],
+    kept: &mut Kept<R::Element>,
+) -> Best<R>
+where
+    K: Shares<C>,
+    P: Policy,
+    R: Real,
+    G: Real<Element = R::Element, Token = R::Token>,
+    C: Common,
+{
+    let mut best = Best::nothing(token, ray);
+    let aim = K::aim::<P, R>(ray);
+    let one = R::splat(token, R::Element::ONE);
+    let mut index = R::splat(token, R::Element::ZERO);
+    // No form with a common part reports surfaces.
+    let no_normal = Vec3([index; 3]);
+    for numbers in numbers.chunks_exact(places::<K, R::Element>() * G::LANES) {
+        let met = K::read::<P, G, _>(&Packed { token, numbers });
+        let shared = <K as Shares<C>>::share::<P, G>(first, &met);
+        for (row, place) in shared.as_ref().iter().zip(kept.0.chunks_exact_mut(G::LANES)) {
+            row.store(place);
+        }
+        for lane in 0..G::LANES {
+            let source = OfOne::<R> { token, numbers: &kept.0, lane, lanes: G::LANES };
+            if let Ok(found) = <K as Shares<C>>::test_shared::<P, R, _>(ray, &aim, &source) {
+                best.update::<P>(ray, &found, index, no_normal);
+            }
+            index = index + one;
+        }
+    }
+    best
+}

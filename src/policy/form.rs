@@ -1,0 +1,51 @@
+//! A form: one value of every axis.
+
+use std::marker::PhantomData;
+
+use super::{
+    Compare, Distance, Division, Exit, Facing, FromZero, Leading, Output, Policy, Rounding, Span,
+    Tests, TwoSided,
+};
+
+/// The form with these values of the axes.
+#[derive(Clone, Copy)]
+#[allow(clippy::type_complexity, reason = "one marker per axis, in the order of a variant's id")]
+pub struct Form<E, D, A, O, F = TwoSided, T = Compare, L = Distance, S = FromZero>(
+    PhantomData<(E, D, A, O, F, T, L, S)>,
+);
+
+impl<E, D, A, O, F, T, L, S> Policy for Form<E, D, A, O, F, T, L, S>
+where
+    E: Exit,
+    D: Division,
+    A: Rounding,
+    O: Output,
+    F: Facing,
+    T: Tests,
+    L: Leading,
+    S: Span,
+{
+    type Exit = E;
+    type Division = D;
+    type Rounding = A;
+    type Output = O;
+    type Facing = F;
+    type Tests = T;
+    type Leading = L;
+    type Span = S;
+}
+
+/// `P` with both faces: for kernels whose determinant does not carry the face in its sign.
+#[derive(Clone, Copy)]
+pub struct BothFaces<P>(PhantomData<P>);
+
+impl<P: Policy> Policy for BothFaces<P> {
+    type Exit = P::Exit;
+    type Division = P::Division;
+    type Rounding = P::Rounding;
+    type Output = P::Output;
+    type Facing = TwoSided;
+    type Tests = P::Tests;
+    type Leading = P::Leading;
+    type Span = P::Span;
+}
