@@ -68,7 +68,7 @@ fn suits(variant: &Variant, kind: Kind) -> bool {
 
 /// 45 triangles: no group, block or line of a layout comes out even.
 fn set(kind: Kind, seed: u64) -> NearestSet {
-    let spec = NearestSpec { triangles: 45, rays: 128, kind, seed };
+    let spec = NearestSpec { triangles: 45, rays: 128, kind, spread: 0.0, seed };
     NearestSet::draw(spec).expect("a plain specification")
 }
 

@@ -93,7 +93,7 @@ fn there_are_several_placebos_of_the_reference() {
 
 #[test]
 fn triangles_in_another_order_give_the_same_tallies_and_answers() {
-    let spec = NearestSpec { triangles: 40, rays: 32, kind: Kind::Random, seed: 3 };
+    let spec = NearestSpec { triangles: 40, rays: 32, kind: Kind::Random, spread: 0.0, seed: 3 };
     let set = NearestSet::draw(spec).expect("a plain specification");
     let backwards: Vec<u32> = (0..40).rev().collect();
     for id in [REFERENCE, "wald/f64/packet2/sse2/full/first/plain/tuv"] {

@@ -124,7 +124,7 @@ fn culling_wants_only_front_faces() {
 
 #[test]
 fn nearest_hits_are_told_apart_by_their_triangle() {
-    let spec = NearestSpec { triangles: 64, rays: 16, kind: Kind::Random, seed: 5 };
+    let spec = NearestSpec { triangles: 64, rays: 16, kind: Kind::Random, spread: 0.0, seed: 5 };
     let set = NearestSet::draw(spec).expect("a plain specification");
     let truth = NearestTruth::of(&set.rays, &set.triangles);
     let answer = |found: &Option<(usize, crate::oracle::Exact)>| match found {

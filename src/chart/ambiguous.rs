@@ -8,7 +8,7 @@ use crate::table::{COLUMNS, Cell, Row};
 /// The error that names the place, and the columns in which the rows differ.
 pub(super) fn ambiguous(figure: &Figure, point: &Point, one: &Row, other: &Row) -> ChartError {
     // Figures differ between any two rows; only what names a row can tell them apart.
-    const NAMING: [&str; 5] = ["density", "triangles", "code", "repeats", "seed"];
+    const NAMING: [&str; 6] = ["density", "spread", "triangles", "code", "repeats", "seed"];
     let names = |column: &&&str| {
         let text = matches!(one.cell(column), Some(Cell::Text(_)))
             || matches!(other.cell(column), Some(Cell::Text(_)));

@@ -122,6 +122,8 @@ pub(super) fn title(column: &str) -> String {
         "instructions_per_test" => "instructions per test",
         "mispredicts_per_test" => "mispredicted branches per test",
         "bytes_per_triangle" => "bytes per triangle",
+        "spread" => "spread of the rays of a bunch, radii of the scene",
+        "useful_lanes" => "share of the lanes' work that is useful",
         other => return other.replace('_', " "),
     };
     known.to_owned()

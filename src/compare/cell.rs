@@ -31,11 +31,12 @@ const NAMES: [&str; 20] = [
 
 /// Columns that say on what it was measured. One subject under other settings than before is not
 /// the same measurement.
-pub(super) const SETTINGS: [&str; 12] = [
+pub(super) const SETTINGS: [&str; 13] = [
     "level",
     "workload",
     "order",
     "density",
+    "spread",
     "triangles",
     "rays",
     "generator",

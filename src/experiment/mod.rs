@@ -23,6 +23,7 @@ mod run;
 mod scene;
 mod select;
 mod stiff;
+mod useful;
 mod workload;
 
 pub use bench::Bench;

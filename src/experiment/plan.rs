@@ -72,7 +72,7 @@ impl Plan {
         self.variants.is_empty() && self.experiment.workload.has_variants()
     }
 
-    /// Cells: density and order of each scene; `None` for nearest-hit scenes.
+    /// Cells: density, or spread of nearest-hit scenes (`None` without), and order of each scene.
     pub fn cells(&self) -> Vec<(Option<f64>, Order)> {
         let product = |densities: &[f64], orders: &[Order]| {
             let of = |order: &Order| {
@@ -85,7 +85,10 @@ impl Plan {
             Workload::Pairs(pairs) => product(&pairs.density, &pairs.orders),
             Workload::Points(points) => product(&points.density, &points.orders),
             Workload::Nearest(nearest) => {
-                nearest.orders.iter().map(|order| (None, *order)).collect()
+                let orders = nearest.orders.iter();
+                orders
+                    .flat_map(|order| nearest.spreads().into_iter().map(|spread| (spread, *order)))
+                    .collect()
             }
             Workload::Codes(_) | Workload::Counts | Workload::Arithmetic | Workload::Errors(_) => {
                 Vec::new()

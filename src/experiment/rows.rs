@@ -17,6 +17,7 @@ pub fn blank(experiment: &str, variant: &Variant, scene: &Scene, order: Order) -
         workload: facts.workload.clone(),
         order: order.word().into(),
         density: facts.density,
+        spread: facts.spread,
         triangles: Some(scene.triangles.len() as u64),
         rays: Some(scene.rays.len() as u64),
         tests: Some(scene.tests()),

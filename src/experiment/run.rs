@@ -9,7 +9,7 @@ use super::plan::Plan;
 use super::rows::put_percent_slower;
 use super::scene::Scene;
 use super::workload::Workload;
-use super::{arithmetic, codes, counts, errors, points, prices, stiff};
+use super::{arithmetic, codes, counts, errors, points, prices, stiff, useful};
 use crate::measure::{Order, ProtocolError};
 use crate::table::Row;
 use crate::workload::WorkloadError;
@@ -82,7 +82,9 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
                 let density = density.map_or(String::new(), |density| format!(" {density}"));
                 // The number alone would do; the rest is for whoever reads the journal.
                 let cell = format!("cell {number} {order}{density}");
-                outcome.take(run_cell(plan, &scene, order, bench, &cell)?);
+                let mut measured = run_cell(plan, &scene, order, bench, &cell)?;
+                useful::put(&mut measured.rows, &scene);
+                outcome.take(measured);
             }
         }
     }
@@ -147,7 +149,7 @@ fn scene(plan: &Plan, density: Option<f64>, order: Order) -> Result<Scene, Workl
     match &plan.experiment.workload {
         Workload::Pairs(pairs) => Scene::pairs(pairs, density.unwrap_or(0.5), order, seed),
         Workload::Points(points) => points::scene(points, density.unwrap_or(0.5), order, seed),
-        Workload::Nearest(nearest) => Scene::nearest(nearest, order, seed),
+        Workload::Nearest(nearest) => Scene::nearest(nearest, density, order, seed),
         Workload::Codes(_) | Workload::Counts | Workload::Arithmetic | Workload::Errors(_) => {
             unreachable!("these have no cells")
         }

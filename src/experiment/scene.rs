@@ -7,9 +7,7 @@ use crate::accuracy::{Judgement, NearestTruth, Reported, Truth, judge, judge_nea
 use crate::job::Job;
 use crate::measure::Order;
 use crate::registry::Variant;
-use crate::workload::{
-    NearestSet, NearestSpec, PairSpec, Pairs, QueryKind, Ray, Triangle, WorkloadError,
-};
+use crate::workload::{NearestSet, PairSpec, Pairs, QueryKind, Ray, Triangle, WorkloadError};
 
 /// What rows say of a workload.
 #[derive(Clone, Debug, Default)]
@@ -18,6 +16,8 @@ pub struct Facts {
     pub workload: String,
     /// Effective share of hits; pairs only.
     pub density: Option<f64>,
+    /// How far the rays of a bunch lie apart; bunches only.
+    pub spread: Option<f64>,
     /// `line`, `ray`, `segment`, `point`.
     pub query: &'static str,
     /// `natural` or `facing`; pairs only.
@@ -101,18 +101,18 @@ impl Scene {
     /// As [`NearestSet::draw`].
     pub fn nearest(
         workload: &NearestWorkload,
+        spread: Option<f64>,
         order: Order,
         seed: u64,
     ) -> Result<Self, WorkloadError> {
-        let triangles = workload.triangles;
         let rays = match order {
             Order::Reshuffled => workload.reshuffled_rays,
             Order::Fixed | Order::Literal => workload.rays,
         };
-        let kind = workload.coherence;
-        let set = NearestSet::draw(NearestSpec { triangles, rays, kind, seed })?;
+        let set = NearestSet::draw(workload.spec(rays, spread, seed))?;
         let facts = Facts {
-            workload: format!("nearest-{}", kind.word()),
+            workload: format!("nearest-{}", workload.coherence.word()),
+            spread,
             query: QueryKind::Ray.word(),
             generator: "pcg",
             hash: set.hash,

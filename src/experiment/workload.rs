@@ -82,9 +82,12 @@ pub struct NearestWorkload {
     /// Rays in `reshuffled` order, of which each block takes others.
     #[serde(default = "reshuffled_rays")]
     pub reshuffled_rays: usize,
-    /// `random`, `coherent` or `parallel`.
+    /// `random`, `coherent`, `parallel` or `bunches`.
     #[serde(default)]
     pub coherence: workload::Kind,
+    /// Of bunches: how far their rays lie apart, a set of rays for each.
+    #[serde(default)]
+    pub spread: Vec<f64>,
     /// Orders in which the rays are tested.
     pub orders: Vec<Order>,
 }
@@ -254,6 +257,19 @@ impl PointsWorkload {
 }
 
 impl NearestWorkload {
+    /// The spread of each set; one set without where none is stated.
+    pub(super) fn spreads(&self) -> Vec<Option<f64>> {
+        if self.spread.is_empty() {
+            vec![None]
+        } else {
+            self.spread.iter().copied().map(Some).collect()
+        }
+    }
+    /// What is drawn.
+    pub(super) fn spec(&self, rays: usize, spread: Option<f64>, seed: u64) -> NearestSpec {
+        let (triangles, kind) = (self.triangles, self.coherence);
+        NearestSpec { triangles, rays, kind, spread: spread.unwrap_or(0.0) as f32, seed }
+    }
     fn validate(&self) -> Result<(), String> {
         some("orders", &self.orders)?;
         if self.orders.contains(&Order::Literal) {
@@ -262,9 +278,10 @@ impl NearestWorkload {
                 .to_owned());
         }
         for (key, rays) in [("rays", self.rays), ("reshuffled_rays", self.reshuffled_rays)] {
-            let triangles = self.triangles;
-            let spec = NearestSpec { triangles, rays, kind: self.coherence, seed: 0 };
-            spec.validate().map_err(|error| format!("workload.{key}: {error}"))?;
+            for spread in self.spreads() {
+                let spec = self.spec(rays, spread, 0);
+                spec.validate().map_err(|error| format!("workload.{key}: {error}"))?;
+            }
         }
         Ok(())
     }

@@ -325,6 +325,11 @@ columns! {
     edges: String,
     /// `kept`, or `flushed` to zero.
     subnormals: String,
+    /// Bunches of rays: how far they lie apart, in radii of the scene.
+    spread: Option<f64>,
+    /// Packets that leave early: operations that their rays' own tests would do, over those that the
+    /// packets do.
+    useful_lanes: Option<f64>,
 }
 
 impl Serialize for Row {

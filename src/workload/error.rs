@@ -23,6 +23,16 @@ pub enum WorkloadError {
         /// The number given.
         value: f64,
     },
+    /// A spread of rays that are not in bunches, or of bunches that have none.
+    #[error(
+        "spread is {value}; allowed is above 0 and at most {most} for bunches, and 0 for others"
+    )]
+    Spread {
+        /// What was asked for.
+        value: f32,
+        /// The largest that is allowed.
+        most: f32,
+    },
     /// Rays that do not fill the widest packet.
     #[error("number of rays is {value}; allowed is a multiple of {multiple}")]
     Packets {

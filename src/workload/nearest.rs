@@ -30,6 +30,9 @@ const CAMERA: f32 = 3.0;
 /// Where parallel rays go, not normalised: no component is 0 and no two are alike.
 const DIRECTION: Vec3 = Vec3::new(1.0, -2.0, 4.0);
 
+/// Of bunches: from there on they are random rays.
+const MOST_SPREAD: f32 = 1000.0;
+
 /// How the rays of a packet belong together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -39,6 +42,8 @@ pub enum Kind {
     Random,
     /// One camera, and 16 consecutive rays are a 4 x 4 tile of its pixels.
     Coherent,
+    /// By bunches of 16: each ray runs near the bunch's own random ray, see [`NearestSpec::spread`].
+    Bunches,
     /// One direction, along no axis; 16 consecutive rays are a 4 x 4 tile of a picture without
     /// perspective.
     Parallel,
@@ -50,13 +55,14 @@ impl Kind {
         match self {
             Kind::Random => "random",
             Kind::Coherent => "coherent",
+            Kind::Bunches => "bunches",
             Kind::Parallel => "parallel",
         }
     }
 }
 
 /// What to draw.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestSpec {
     /// Number of triangles, 1 to 2^16.
     pub triangles: usize,
@@ -64,6 +70,9 @@ pub struct NearestSpec {
     pub rays: usize,
     /// How the rays belong together.
     pub kind: Kind,
+    /// Of bunches: how far, in radii of the scene, both points that make a ray are from those of the
+    /// bunch's own ray before they are put back on the sphere; above 0, at most 1 000. Others take 0.
+    pub spread: f32,
     /// Where the generator starts.
     pub seed: u64,
 }
@@ -108,9 +117,13 @@ impl NearestSet {
         let mut source = Pcg::new(spec.seed);
         let triangles: Vec<Triangle> = (0..spec.triangles).map(|_| triangle(&mut source)).collect();
         let camera = Camera::new(spec.rays);
+        let mut bunch = [Vec3::ZERO; 2];
         let mut rays = Vec::with_capacity(spec.rays);
         let mut attempts = 0u64;
         for index in 0..spec.rays {
+            if spec.kind == Kind::Bunches && index.is_multiple_of(PACKET) {
+                bunch = [on_sphere(&mut source), on_sphere(&mut source)];
+            }
             let mut tries = 0;
             loop {
                 attempts += 1;
@@ -118,6 +131,7 @@ impl NearestSet {
                 let ray = match spec.kind {
                     Kind::Random => random_ray(&mut source),
                     Kind::Coherent => camera.ray(index, &mut source),
+                    Kind::Bunches => bunched_ray(bunch, spec.spread, &mut source),
                     Kind::Parallel => camera.parallel_ray(index, &mut source),
                 };
                 if nearest_is_settled(&ray, &triangles) {
@@ -139,6 +153,10 @@ fn validated(spec: &NearestSpec) -> Result<(), WorkloadError> {
     counted("number of rays", spec.rays, 1, MOST_RAYS)?;
     if !spec.rays.is_multiple_of(PACKET) {
         return Err(WorkloadError::Packets { value: spec.rays, multiple: PACKET });
+    }
+    let is_spread = spec.spread > 0.0 && spec.spread <= MOST_SPREAD;
+    if is_spread != (spec.kind == Kind::Bunches) {
+        return Err(WorkloadError::Spread { value: spec.spread, most: MOST_SPREAD });
     }
     // Both are below 2^21 by now.
     counted("rays times triangles", spec.rays * spec.triangles, 1, MOST_TESTS)
@@ -202,6 +220,23 @@ fn random_ray(source: &mut Pcg) -> Ray {
     let target = on_sphere(source);
     let chord = target - origin;
     ray(origin, thesis::normalised(chord), thesis::length(chord) + BEYOND)
+}
+
+/// A ray between two points of the sphere near those of the bunch.
+fn bunched_ray(bunch: [Vec3; 2], spread: f32, source: &mut Pcg) -> Ray {
+    let [origin, target] = bunch.map(|point| near(point, spread, source));
+    let chord = target - origin;
+    ray(origin, thesis::normalised(chord), thesis::length(chord) + BEYOND)
+}
+
+/// A point of the sphere: `point`, moved by `spread` in a random direction and put back.
+fn near(point: Vec3, spread: f32, source: &mut Pcg) -> Vec3 {
+    loop {
+        let moved = point + on_sphere(source) * spread;
+        if thesis::length(moved) >= 0.01 {
+            return thesis::normalised(moved);
+        }
+    }
 }
 
 fn ray(origin: Vec3, direction: Vec3, length: f32) -> Ray {

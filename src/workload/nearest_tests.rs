@@ -1,8 +1,11 @@
 use super::*;
 use crate::oracle::{Query, classify, nearest};
 
+const KINDS: [Kind; 4] = [Kind::Random, Kind::Coherent, Kind::Bunches, Kind::Parallel];
+
 fn spec(kind: Kind) -> NearestSpec {
-    NearestSpec { triangles: 64, rays: 1600, kind, seed: 5 }
+    let spread = if kind == Kind::Bunches { 0.125 } else { 0.0 };
+    NearestSpec { triangles: 64, rays: 1600, kind, spread, seed: 5 }
 }
 
 #[test]
@@ -22,7 +25,7 @@ fn a_single_random_test_hits_one_time_in_ten() {
 
 #[test]
 fn nearest_triangles_are_the_oracles_and_both_outcomes_occur() {
-    for kind in [Kind::Random, Kind::Coherent, Kind::Parallel] {
+    for kind in KINDS {
         let set = NearestSet::draw(NearestSpec { triangles: 8, rays: 800, ..spec(kind) }).unwrap();
         let mut found = 0;
         for ray in &set.rays {
@@ -66,8 +69,8 @@ fn a_ray_at_an_edge_or_at_two_triangles_at_once_is_not_settled() {
 
 #[test]
 fn tiles_are_neighbours_and_random_rays_are_not() {
-    let spread = |kind| {
-        let set = NearestSet::draw(spec(kind)).unwrap();
+    let spread_of = |spec| {
+        let set = NearestSet::draw(spec).unwrap();
         let widest = |packet: &[Ray]| {
             let from_first = |ray: &Ray| (ray.direction - packet[0].direction).length();
             packet.iter().map(from_first).fold(0.0, f32::max)
@@ -77,13 +80,18 @@ fn tiles_are_neighbours_and_random_rays_are_not() {
         (least, spreads.into_iter().fold(0.0, f32::max))
     };
     // 100 tiles are 40 x 40 pixels of 0.05 at a distance of 3 or more.
-    assert!(spread(Kind::Coherent).1 < 4.0 * 0.05 * 1.415 / 3.0);
-    assert!(spread(Kind::Random).0 > 0.5);
+    assert!(spread_of(spec(Kind::Coherent)).1 < 4.0 * 0.05 * 1.415 / 3.0);
+    assert!(spread_of(spec(Kind::Random)).0 > 0.5);
+    // Bunches are in between, wherever they are asked to be.
+    let bunches = |spread| spread_of(NearestSpec { spread, ..spec(Kind::Bunches) });
+    let (narrow, wide) = (bunches(0.001), bunches(1000.0));
+    assert!(narrow.0 > 0.0 && narrow.1 < 0.1, "{narrow:?}");
+    assert!(wide.0 > 0.5, "{wide:?}");
 }
 
 #[test]
 fn segments_end_beyond_the_scene() {
-    for kind in [Kind::Random, Kind::Coherent, Kind::Parallel] {
+    for kind in KINDS {
         for ray in NearestSet::draw(spec(kind)).unwrap().rays {
             assert!(ray.end.length() > 1.0, "{ray:?}");
         }
@@ -93,8 +101,8 @@ fn segments_end_beyond_the_scene() {
 #[test]
 fn sets_are_golden() {
     let hash = |kind| NearestSet::draw(spec(kind)).unwrap().hash;
-    let hashes = [hash(Kind::Random), hash(Kind::Coherent), hash(Kind::Parallel)];
-    let golden = [0x565d_b186_7e07_6153, 0xd142_4406_1bd4_cf1a, 0x0];
+    let hashes = KINDS.map(hash);
+    let golden = [0x565d_b186_7e07_6153, 0xd142_4406_1bd4_cf1a, 0x0, 0x0];
     assert_eq!(hashes, golden, "{hashes:#x?}");
 }
 
@@ -118,6 +126,10 @@ fn bad_specifications_are_refused_with_what_is_allowed() {
     };
     assert_eq!(message(0, 16), "number of triangles is 0; allowed is 1 to 65536");
     assert_eq!(message(1, 0), "number of rays is 0; allowed is 1 to 1048576");
+    for (kind, spread) in [(Kind::Random, 0.5), (Kind::Bunches, 0.0), (Kind::Bunches, f32::NAN)] {
+        let error = NearestSet::draw(NearestSpec { spread, ..spec(kind) }).unwrap_err();
+        assert!(error.to_string().contains("allowed is above 0 and at most 1000"), "{error}");
+    }
     assert_eq!(message(1, 17), "number of rays is 17; allowed is a multiple of 16");
     assert_eq!(
         message(1 << 16, 1 << 20),
