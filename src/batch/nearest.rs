@@ -8,7 +8,7 @@ use super::layout::{Aos, Layout};
 use crate::kernels::Kernel;
 use crate::level::{Batch, Level, On};
 use crate::number::{Element, Real, Spread, Vec3};
-use crate::policy::{Policy, Ray};
+use crate::policy::{Exit, Miss, Policy, Ray};
 
 /// The widest register that there is, in numbers.
 pub const WIDEST: usize = 16;
@@ -102,22 +102,54 @@ pub fn load<R: Real>(token: R::Token, packet: &[R::Element]) -> Ray<R> {
 fn walk<K: Kernel, P: Policy, R: Real, Y: Layout>(
     token: R::Token,
     ray: &mut Ray<R>,
-    triangles: Y::Walk<'_, R::Element>,
+    mut triangles: Y::Walk<'_, R::Element>,
 ) -> Best<R> {
     let mut best = Best::nothing(token, ray);
     let aim = K::aim::<P, R>(ray);
     let one = R::splat(token, R::Element::ONE);
     let mut index = R::splat(token, R::Element::ZERO);
+    if R::LANES > 1 && P::Exit::DEFERS_RANGE {
+        // The first part of a test is done before the second part of the one before it.
+        let Some(mut triangle) = triangles.next() else { return best };
+        let mut met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
+        let mut begun = K::begin::<P, R>(ray, &aim, &met);
+        for next in triangles {
+            let following = Spread::spread(token, K::read::<P, R::Element, _>(&next));
+            let following_begun = K::begin::<P, R>(ray, &aim, &following);
+            met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
+            end::<K, P, R>(&mut best, ray, &aim, &met, begun, index);
+            (triangle, begun) = (next, following_begun);
+            index = index + one;
+        }
+        met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
+        end::<K, P, R>(&mut best, ray, &aim, &met, begun, index);
+        return best;
+    }
     for triangle in triangles {
         if R::LANES == 1 {
             // A single ray must not be tested against several triangles at once.
             black_box(());
         }
         let met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
-        if let Ok(found) = K::test::<P, R>(ray, &aim, &met) {
-            best.update::<P>(ray, &found, index, K::normal::<P, R>(&met));
-        }
+        let begun = K::begin::<P, R>(ray, &aim, &met);
+        end::<K, P, R>(&mut best, ray, &aim, &met, begun, index);
         index = index + one;
     }
     best
+}
+
+/// The second part of a test, and what it is good for.
+#[inline(always)]
+fn end<K: Kernel, P: Policy, R: Real>(
+    best: &mut Best<R>,
+    ray: &mut Ray<R>,
+    aim: &K::Aim<R>,
+    met: &K::Met<R>,
+    begun: Result<K::Begun<R>, Miss>,
+    index: R,
+) {
+    let Ok(begun) = begun else { return };
+    if let Ok(found) = K::end::<P, R>(ray, aim, met, &begun) {
+        best.update::<P>(ray, &found, index, K::normal::<P, R>(met));
+    }
 }

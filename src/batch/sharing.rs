@@ -98,15 +98,21 @@ where
     let no_normal = Vec3([index; 3]);
     for numbers in numbers.chunks_exact(places::<K, R::Element>() * G::LANES) {
         let met = K::read::<P, G, _>(&Packed { token, numbers });
-        let shared = <K as Shares<C>>::share::<P, G>(first, &met);
+        let shared = K::share::<P, G>(first, &met);
         for (row, place) in shared.as_ref().iter().zip(kept.0.chunks_exact_mut(G::LANES)) {
             row.store(place);
         }
-        for lane in 0..G::LANES {
-            let source = OfOne::<R> { token, numbers: &kept.0, lane, lanes: G::LANES };
-            if let Ok(found) = <K as Shares<C>>::test_shared::<P, R, _>(ray, &aim, &source) {
+        let of = |lane| OfOne::<R> { token, numbers: &kept.0, lane, lanes: G::LANES };
+        // The first part of a test is done before the second part of the one before it.
+        let mut begun = K::begin_shared::<P, R, _>(ray, &aim, &of(0));
+        for lane in 1..=G::LANES {
+            let next = K::begin_shared::<P, R, _>(ray, &aim, &of(lane));
+            if let Ok(begun) = begun
+                && let Ok(found) = K::end_shared::<P, R, _>(ray, &aim, &of(lane - 1), &begun)
+            {
                 best.update::<P>(ray, &found, index, no_normal);
             }
+            begun = next;
             index = index + one;
         }
     }

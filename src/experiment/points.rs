@@ -26,6 +26,7 @@ pub fn scene(
         generator: "pcg",
         hash: set.hash,
         seed,
+        ..Facts::default()
     };
     Ok(Scene::of_points(facts, set.rays, set.triangles))
 }

@@ -85,6 +85,7 @@ impl Scene {
             generator: pairs.spec.generator.word(),
             hash: pairs.hash,
             seed: pairs.spec.seed,
+            ..Facts::default()
         };
         let truth = Exactly::Pairs { truths: OnceCell::new(), segments: OnceCell::new() };
         Scene { facts, rays: pairs.rays, triangles: pairs.triangles, truth }

@@ -9,6 +9,7 @@
 //! Known weakness: everything; wrong decisions near edges are its nature (status `inexact`), and it
 //! yields no u and v. Single rays only, because arccos comes from `libm`.
 
+use super::begun::in_one_piece;
 use super::perpendicular_planes::point_on;
 use super::{About, Corners, Kernel, PointTest, Source};
 use crate::kernels::stored::plain_dot;
@@ -56,8 +57,15 @@ impl Kernel for AngleSum {
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Met<R>,
+        (): &(),
+    ) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let hit = P::keep(P::divisible(det), 1)?;
         let (t, scale) = P::quotient(P::dot(tri.n, tri.corners.a - ray.origin), det);

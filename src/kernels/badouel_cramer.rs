@@ -9,6 +9,7 @@
 //! Operations of a hit, divided first: 16 x, 17 +-, 2 /; divided last 23 x.
 //! Known weakness: the plane's constant cancels far from the origin; slivers lose u and v twice.
 
+use super::begun::in_one_piece;
 use super::stored::{plain_cross, with_plane};
 use super::{About, Corners, Kernel, PointTest, Source};
 use crate::number::{Axis, Element, Real, Vec3, spread};
@@ -71,8 +72,15 @@ impl Kernel for BadouelCramer {
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Met<R>,
+        (): &(),
+    ) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let hit = P::keep(P::divisible(det), 1)?;
         let (t, scale) = P::quotient(tri.nd - P::dot(ray.origin, tri.n), det);

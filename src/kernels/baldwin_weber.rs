@@ -19,7 +19,7 @@ use std::marker::PhantomData;
 use super::perpendicular_planes::{planes, point_on, share};
 use super::shevtsov::cycle;
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel, Source};
+use super::{About, Begun, Corners, Kernel, Source};
 use crate::number::{Axis, Element, Real, Vec3, dominant, spread};
 use crate::policy::{Found, Miss, Policy, Ray};
 
@@ -106,6 +106,7 @@ impl<C: Column> Kernel for BaldwinWeber<C> {
     type Record<E: Element> = [E; 12];
     type Met<R: Real> = Matrix<R>;
     type Aim<R: Real> = ();
+    type Begun<R: Real> = Begun<R>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (e1, e2) = corners.edges();
@@ -137,17 +138,28 @@ impl<C: Column> Kernel for BaldwinWeber<C> {
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Matrix<R>) -> Result<Found<R>, Miss> {
+    fn begin<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Matrix<R>) -> Result<Begun<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let hit = P::keep(P::divisible(det), 1)?;
         let (t, scale) = P::quotient(-(P::dot(ray.origin, tri.n) + tri.n_offset), det);
         let hit = P::keep_range(hit, ray, t, scale, 2)?;
+        Ok(Begun::new::<P>(hit, t, scale))
+    }
+
+    #[inline(always)]
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Matrix<R>,
+        begun: &Begun<R>,
+    ) -> Result<Found<R>, Miss> {
+        let Begun { hit, t, scale, .. } = *begun;
         let point = point_on::<P, R>(ray, t, scale);
         let u = share::<P, R>(point, tri.b, tri.b_offset, scale);
         let hit = P::keep(hit & P::share(u, scale), 3)?;
         let v = share::<P, R>(point, tri.c, tri.c_offset, scale);
         let hit = P::keep(hit & P::beside(u, v, scale), 4)?;
-        P::finish(hit, ray, [t, u, v], scale)
+        begun.finish::<P>(hit, ray, [t, u, v])
     }
 
     /// n / |n_k|: the axis k is the one where both other rows are 0, and their zeros have its sign.

@@ -13,6 +13,7 @@
 //! Operations of a hit: 32 x, 30 +-, 2 unary minuses, 2 /.
 //! Known weakness: f has degree 6 in the size of the triangle, so it leaves the range of f32 first.
 
+use super::begun::in_one_piece;
 use super::stored::{plain_cross, with_plane};
 use super::{About, Corners, Kernel, Source};
 use crate::number::{Axis, Element, Real, Vec3, spread};
@@ -82,8 +83,15 @@ impl Kernel for Chirkov {
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Met<R>,
+        (): &(),
+    ) -> Result<Found<R>, Miss> {
         let zero = tri.nd.zero();
         let p = P::dot(tri.n, ray.origin) - tri.nd;
         let q = P::dot(tri.n, ray.end) - tri.nd;

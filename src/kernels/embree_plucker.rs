@@ -13,6 +13,8 @@
 //! Known weakness: shared edges are kept, but the tolerance depends on the triangle, so that a ray
 //! through a vertex can pass between tiny ones; on edges it hits both.
 
+use super::begun::in_one_piece;
+use super::shares::shared_in_one_piece;
 use super::{About, CommonOrigin, Corners, Kernel, Shares, Source};
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Division, Exit, Found, Last, Miss, Policy, Ray, Rounding, Scale};
@@ -47,8 +49,15 @@ impl Kernel for EmbreePlucker {
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Corners<R>) -> Result<Found<R>, Miss> {
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Corners<R>,
+        (): &(),
+    ) -> Result<Found<R>, Miss> {
         let seen = Seen::of(ray, tri);
         test_seen::<P, R>(ray, seen.sides::<P>(), Plane::Of(seen))
     }
@@ -141,11 +150,14 @@ impl Shares<CommonOrigin> for EmbreePlucker {
         [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, depth]
     }
 
+    shared_in_one_piece!();
+
     #[inline(always)]
-    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+    fn end_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
         let sides = [shared.vector(0), shared.vector(3), shared.vector(6)];
         test_seen::<P, R>(ray, sides, Plane::Known(shared.vector(9), shared.number(12)))

@@ -8,6 +8,8 @@
 //! Stored: 9 numbers. Operations of a hit: 37 x, 30 +-, 2 /, and per packet 6 x, 9 -.
 //! Known weakness: a x b cancels with the square of the distance between origin and triangle.
 
+use super::begun::in_one_piece;
+use super::shares::shared_in_one_piece;
 use super::{About, CommonOrigin, Corners, Kernel, PointTest, Shares, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Division, Found, Last, Miss, Policy, Ray, Scale};
@@ -53,8 +55,15 @@ impl Kernel for HalfSpaces {
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Met<R>,
+        (): &(),
+    ) -> Result<Found<R>, Miss> {
         Seen::of::<P>(ray, tri).test::<P>(ray)
     }
 
@@ -121,11 +130,14 @@ impl Shares<CommonOrigin> for HalfSpaces {
         [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, depth.along::<P>(n)]
     }
 
+    shared_in_one_piece!();
+
     #[inline(always)]
-    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+    fn end_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
         let sides = [shared.vector(0), shared.vector(3), shared.vector(6)];
         let depth = Depth::Known(shared.number(12));

@@ -11,6 +11,7 @@
 
 use std::marker::PhantomData;
 
+use super::begun::in_one_piece;
 use super::perpendicular_planes::point_on;
 use super::stored::Frame;
 use super::{About, Corners, Kernel, PointTest, Source, Stored};
@@ -47,8 +48,15 @@ impl<S: Stored> Kernel for Keidy<S> {
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Frame<R>) -> Result<Found<R>, Miss> {
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Frame<R>,
+        (): &(),
+    ) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let mut hit = P::keep(P::divisible(det), 1)?;
         let oa = tri.a - ray.origin;

@@ -4,11 +4,13 @@
 //! record. [`Kernel::aim`] runs once per ray or packet of rays. [`Kernel::read`] runs once per
 //! triangle and packet, on scalars, and what it yields is put into every lane; or once per group of
 //! triangles, of which each lane has one. [`Kernel::test`] runs per triangle and ray, packet of rays
-//! or group of triangles.
+//! or group of triangles; it has two parts, so that a loop can begin a test before it ends the one
+//! before.
 
 mod angle_sum;
 mod badouel_cramer;
 mod baldwin_weber;
+mod begun;
 mod chirkov;
 mod edges;
 mod embree_plucker;
@@ -32,6 +34,7 @@ mod woop_watertight;
 pub use angle_sum::AngleSum;
 pub use badouel_cramer::BadouelCramer;
 pub use baldwin_weber::{BaldwinWeber, Column, FromPositions, FromRows};
+pub use begun::Begun;
 pub use chirkov::Chirkov;
 pub use edges::{Edges, ExactSign, Fallback, NoFallback};
 pub use embree_plucker::EmbreePlucker;
@@ -139,15 +142,41 @@ pub trait Kernel: 'static {
     }
     /// What is done once per ray or packet. It must not read `t_max`, which shrinks from hit to hit.
     fn aim<P: Policy, R: Real>(ray: &Ray<R>) -> Self::Aim<R>;
+    /// What the first part of a test leaves to the second; `()` where a test is in one piece.
+    type Begun<R: Real>: Copy;
+    /// The test up to its division, or its determinant. In `full` forms it must not read `t_max`: it is
+    /// done before the test of the triangle before this one ends, see [`Begun`].
+    ///
+    /// # Errors
+    /// As [`Kernel::test`].
+    fn begin<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        aim: &Self::Aim<R>,
+        met: &Self::Met<R>,
+    ) -> Result<Self::Begun<R>, Miss>;
+    /// The rest of the test.
+    ///
+    /// # Errors
+    /// As [`Kernel::test`].
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        aim: &Self::Aim<R>,
+        met: &Self::Met<R>,
+        begun: &Self::Begun<R>,
+    ) -> Result<Found<R>, Miss>;
     /// The test.
     ///
     /// # Errors
     /// [`Miss`] with the exit's code, in `early` forms, when no lane can hit any more.
+    #[inline(always)]
     fn test<P: Policy, R: Real>(
         ray: &Ray<R>,
         aim: &Self::Aim<R>,
         met: &Self::Met<R>,
-    ) -> Result<Found<R>, Miss>;
+    ) -> Result<Found<R>, Miss> {
+        let begun = Self::begin::<P, R>(ray, aim, met)?;
+        Self::end::<P, R>(ray, aim, met, &begun)
+    }
     /// A normal of the triangle, of any length, on the side from which a, b, c is counter-clockwise.
     fn normal<P: Policy, R: Real>(met: &Self::Met<R>) -> Vec3<R>;
 }

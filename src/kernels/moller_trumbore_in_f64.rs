@@ -6,6 +6,7 @@
 //! Single rays only: a register holds half as many f64 as f32, so a packet would be of another width.
 //! Known weakness: as of Moeller-Trumbore, 2^29 times smaller; range and decisions are those of f64.
 
+use super::begun::in_one_piece;
 use super::moller_trumbore::{self, MollerTrumbore};
 use super::{About, Corners, Kernel, Source};
 use crate::number::{Element, Real, Spread, Vec3};
@@ -65,11 +66,14 @@ impl Kernel for MollerTrumboreInF64 {
         }
     }
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(
+    fn end<P: Policy, R: Real>(
         ray: &Ray<R>,
         aim: &Ray<Wide<R>>,
         tri: &Met<R>,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
         let wide = Ray { t_max: only(ray.t_max).widened(), ..*aim };
         let found = MollerTrumbore::test::<P, Wide<R>>(&wide, &(), &tri.wide)?;

@@ -11,7 +11,7 @@
 
 use super::shares::{Known, known};
 use super::stored::{plain_cross, plain_dot};
-use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
+use super::{About, Begun, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray, Scale};
 
@@ -46,6 +46,7 @@ impl Kernel for PerpendicularPlanes {
     type Record<E: Element> = [E; 12];
     type Met<R: Real> = Planes<R>;
     type Aim<R: Real> = ();
+    type Begun<R: Real> = Begun<R>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (ab, ac) = corners.edges();
@@ -69,8 +70,22 @@ impl Kernel for PerpendicularPlanes {
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Planes<R>) -> Result<Found<R>, Miss> {
-        test_knowing::<P, R>(ray, tri, Known::NOTHING)
+    fn begin<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Planes<R>) -> Result<Begun<R>, Miss> {
+        begin_knowing::<P, R>(ray, tri, Known::NOTHING)
+    }
+
+    #[inline(always)]
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Planes<R>,
+        begun: &Begun<R>,
+    ) -> Result<Found<R>, Miss> {
+        let point = point_on::<P, R>(ray, begun.t, begun.scale);
+        let u = share::<P, R>(point, tri.b, tri.bd, begun.scale);
+        let v = share::<P, R>(point, tri.c, tri.cd, begun.scale);
+        let hit = P::keep(begun.hit & P::inside(u, v, begun.scale), 3)?;
+        begun.finish::<P>(hit, ray, [begun.t, u, v])
     }
 
     #[inline(always)]
@@ -120,23 +135,18 @@ impl<R: Real> Planes<R> {
     }
 }
 
-/// The test, of which some is known.
+/// The first part of the test, of which some is known.
 #[inline(always)]
-fn test_knowing<P: Policy, R: Real>(
+fn begin_knowing<P: Policy, R: Real>(
     ray: &Ray<R>,
     tri: &Planes<R>,
     known: Known<FromOrigin<R>, FromDirection<R>>,
-) -> Result<Found<R>, Miss> {
+) -> Result<Begun<R>, Miss> {
     let det = known!(known.direction.det, tri.det::<P>(ray));
     let hit = P::keep(P::divisible(det), 1)?;
     let (t, scale) = P::quotient(known!(known.origin.height, tri.height::<P>(ray)), det);
     let hit = P::keep_range(hit, ray, t, scale, 2)?;
-    let point = point_on::<P, R>(ray, t, scale);
-    let u = share::<P, R>(point, tri.b, tri.bd, scale);
-    let v = share::<P, R>(point, tri.c, tri.cd, scale);
-    let hit = P::keep(hit & P::inside(u, v, scale), 3)?;
-    let inverse = known!(known.direction.inverse, P::inverse(scale));
-    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+    Ok(Begun::knowing::<P>(hit, t, scale, known.direction.map(|direction| direction.inverse)))
 }
 
 impl Shares<CommonOrigin> for PerpendicularPlanes {
@@ -149,14 +159,24 @@ impl Shares<CommonOrigin> for PerpendicularPlanes {
     }
 
     #[inline(always)]
-    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+    fn begin_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-    ) -> Result<Found<R>, Miss> {
+    ) -> Result<Begun<R>, Miss> {
         let tri = Planes::of(shared);
         let origin = FromOrigin { height: tri.nd };
-        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
+        begin_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
+    }
+
+    #[inline(always)]
+    fn end_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+        begun: &Begun<R>,
+    ) -> Result<Found<R>, Miss> {
+        Self::end::<P, R>(ray, &(), &Planes::of(shared), begun)
     }
 }
 
@@ -173,14 +193,24 @@ impl Shares<Parallel> for PerpendicularPlanes {
     }
 
     #[inline(always)]
-    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+    fn begin_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-    ) -> Result<Found<R>, Miss> {
+    ) -> Result<Begun<R>, Miss> {
         let direction = FromDirection { det: shared.number(12), inverse: shared.number(13) };
         let known = Known { origin: None, direction: Some(direction) };
-        test_knowing::<P, R>(ray, &Planes::of(shared), known)
+        begin_knowing::<P, R>(ray, &Planes::of(shared), known)
+    }
+
+    #[inline(always)]
+    fn end_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+        begun: &Begun<R>,
+    ) -> Result<Found<R>, Miss> {
+        Self::end::<P, R>(ray, &(), &Planes::of(shared), begun)
     }
 }
 

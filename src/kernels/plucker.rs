@@ -10,6 +10,7 @@
 //! Operations of a hit with m: 34 x, 24 +-, 2 /, and per packet 24 x, 30 +-.
 //! Known weakness: A x B of absolute coordinates cancels with the square of the offset.
 
+use super::begun::in_one_piece;
 use super::half_spaces::{Depth, finish_sides};
 use super::{About, Corners, Kernel, Source};
 use crate::number::{Element, Real, Vec3, spread};
@@ -89,11 +90,14 @@ impl Kernel for Plucker {
         P::cross(ray.origin, ray.direction)
     }
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(
+    fn end<P: Policy, R: Real>(
         ray: &Ray<R>,
         moment: &Vec3<R>,
         tri: &Met<R>,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
         let sides = [
             tri.bc.side::<P>(ray, *moment),

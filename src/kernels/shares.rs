@@ -34,24 +34,54 @@ pub trait Shares<C: Common>: Kernel {
     type Shared<R: Real>: AsRef<[R]> + Copy;
     /// What is shared, of one triangle or of one per lane. Of `ray`, only what is common may be read.
     fn share<P: Policy, R: Real>(ray: &Ray<R>, met: &Self::Met<R>) -> Self::Shared<R>;
-    /// The rest of the test.
+    /// What is left of [`Kernel::begin`].
     ///
     /// # Errors
     /// As [`Kernel::test`].
-    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+    fn begin_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         aim: &Self::Aim<R>,
         shared: &S,
+    ) -> Result<Self::Begun<R>, Miss>;
+    /// What is left of [`Kernel::end`].
+    ///
+    /// # Errors
+    /// As [`Kernel::test`].
+    fn end_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        aim: &Self::Aim<R>,
+        shared: &S,
+        begun: &Self::Begun<R>,
     ) -> Result<Found<R>, Miss>;
 }
 
-/// `known!(known.part, value)`: the value of that name, if that part of a test is known, else the
+/// `known!(part.value, other)`: the value of that name, if that part of a test is known, else the
 /// other. Which one is decided when a form is compiled.
 macro_rules! known {
+    ($part:ident.$value:ident, $otherwise:expr) => {
+        match $part {
+            Some(part) => part.$value,
+            None => $otherwise,
+        }
+    };
     ($known:ident.$part:ident.$value:ident, $otherwise:expr) => {
         match $known.$part {
             Some(part) => part.$value,
             None => $otherwise,
+        }
+    };
+}
+
+/// [`Shares::begin_shared`] of a test that is in one piece.
+macro_rules! shared_in_one_piece {
+    () => {
+        #[inline(always)]
+        fn begin_shared<P: Policy, R: Real, S: Source<R>>(
+            _: &Ray<R>,
+            _: &Self::Aim<R>,
+            _: &S,
+        ) -> Result<(), Miss> {
+            Ok(())
         }
     };
 }
@@ -70,4 +100,4 @@ impl<O, D> Known<O, D> {
     pub const NOTHING: Self = Known { origin: None, direction: None };
 }
 
-pub(super) use known;
+pub(super) use {known, shared_in_one_piece};

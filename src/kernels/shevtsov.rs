@@ -11,7 +11,7 @@
 //! The note's det = 0 gives a NaN t that passes its range test; here det is tested.
 
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel, Source};
+use super::{About, Begun, Corners, Kernel, Source};
 use crate::number::{Axis, Element, Real, Vec3, dominant, spread};
 use crate::policy::{BothFaces, Facing, Found, Miss, Policy, Ray};
 
@@ -49,6 +49,7 @@ impl Kernel for Shevtsov {
     type Record<E: Element> = [E; 12];
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
+    type Begun<R: Real> = Begun<R>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (e1, e2) = corners.edges();
@@ -86,23 +87,35 @@ impl Kernel for Shevtsov {
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
-        let (u, v) = (tri.w.next(), tri.w.next().next());
-        let (o, d) = (&ray.origin, &ray.direction);
-        let det = -height::<P, R>(d, tri);
+    fn begin<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Begun<R>, Miss> {
+        let det = -height::<P, R>(&ray.direction, tri);
         let mut divisible = BothFaces::<P>::divisible(det);
         if P::Facing::CULLS {
             divisible = divisible & det.signed_by(tri.nw).gt(det.zero());
         }
         let hit = P::keep(divisible, 1)?;
-        let (t, scale) = BothFaces::<P>::quotient(height::<P, R>(o, tri) - tri.np, det);
+        let height = height::<P, R>(&ray.origin, tri);
+        let (t, scale) = BothFaces::<P>::quotient(height - tri.np, det);
         let hit = P::keep_range(hit, ray, t, scale, 2)?;
+        Ok(Begun::new::<P>(hit, t, scale))
+    }
+
+    #[inline(always)]
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Met<R>,
+        begun: &Begun<R>,
+    ) -> Result<Found<R>, Miss> {
+        let Begun { hit, t, scale, .. } = *begun;
+        let (u, v) = (tri.w.next(), tri.w.next().next());
+        let (o, d) = (&ray.origin, &ray.direction);
         let du = P::multiply_add(u.pick(d), t, P::scaled(u.pick(o) - tri.a[0], scale));
         let dv = P::multiply_add(v.pick(d), t, P::scaled(v.pick(o) - tri.a[1], scale));
         let beta = P::difference(tri.e2[1], du, tri.e2[0], dv);
         let gamma = P::difference(tri.e1[0], dv, tri.e1[1], du);
         let hit = P::keep(hit & P::inside(beta, gamma, scale), 3)?;
-        P::finish(hit, ray, [t, beta, gamma], scale)
+        begun.finish::<P>(hit, ray, [t, beta, gamma])
     }
 
     #[inline(always)]

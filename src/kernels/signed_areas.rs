@@ -7,6 +7,7 @@
 //! Known weakness: the same determinant as the perpendicular planes at twice their price; slivers
 //! lose u and v twice.
 
+use super::begun::in_one_piece;
 use super::half_spaces::contains_shares;
 use super::perpendicular_planes::point_on;
 use super::stored::{plain_cross, with_normal};
@@ -54,8 +55,15 @@ impl Kernel for SignedAreas {
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Met<R>,
+        (): &(),
+    ) -> Result<Found<R>, Miss> {
         let det = P::dot(ray.direction, tri.n);
         let hit = P::keep(P::divisible(det), 1)?;
         let (t, scale) = P::quotient(P::dot(tri.n, tri.corners.a - ray.origin), det);

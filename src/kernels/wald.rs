@@ -11,7 +11,7 @@
 use super::perpendicular_planes::planes;
 use super::shevtsov::{cycle, unprojected};
 use super::stored::{plain_cross, plain_dot};
-use super::{About, Corners, Kernel, Source};
+use super::{About, Begun, Corners, Kernel, Source};
 use crate::number::{Axis, Element, Real, Vec3, dominant, spread};
 use crate::policy::{Found, Miss, Policy, Ray, Scale};
 
@@ -46,6 +46,7 @@ impl Kernel for Wald {
     type Record<E: Element> = [E; 12];
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
+    type Begun<R: Real> = Begun<R>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (ab, ac) = corners.edges();
@@ -74,25 +75,44 @@ impl Kernel for Wald {
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Found<R>, Miss> {
-        let (w, u, v) = (tri.w, tri.w.next(), tri.w.next().next());
-        let (o, d) = (&ray.origin, &ray.direction);
-        let (du, dv, ou, ov) = (u.pick(d), v.pick(d), u.pick(o), v.pick(o));
-        let det = P::multiply_add(dv, tri.n.y(), P::multiply_add(du, tri.n.x(), w.pick(d)));
+    fn begin<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Begun<R>, Miss> {
+        let det = tri.along::<P>(&ray.direction);
         let hit = P::keep(P::divisible(det), 1)?;
-        let height = P::multiply_add(ov, tri.n.y(), P::multiply_add(ou, tri.n.x(), w.pick(o)));
-        let (t, scale) = P::quotient(tri.n.z() - height, det);
+        let (t, scale) = P::quotient(tri.n.z() - tri.along::<P>(&ray.origin), det);
         let hit = P::keep_range(hit, ray, t, scale, 2)?;
-        let (pu, pv) = (P::along(ou, du, t, scale), P::along(ov, dv, t, scale));
+        Ok(Begun::new::<P>(hit, t, scale))
+    }
+
+    #[inline(always)]
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Met<R>,
+        begun: &Begun<R>,
+    ) -> Result<Found<R>, Miss> {
+        let Begun { hit, t, scale, .. } = *begun;
+        let (u, v) = (tri.w.next(), tri.w.next().next());
+        let (o, d) = (&ray.origin, &ray.direction);
+        let pu = P::along(u.pick(o), u.pick(d), t, scale);
+        let pv = P::along(v.pick(o), v.pick(d), t, scale);
         let beta = share::<P, R>(pu, pv, tri.b, scale);
         let gamma = share::<P, R>(pu, pv, tri.c, scale);
         let hit = P::keep(hit & P::inside(beta, gamma, scale), 3)?;
-        P::finish(hit, ray, [t, beta, gamma], scale)
+        begun.finish::<P>(hit, ray, [t, beta, gamma])
     }
 
     #[inline(always)]
     fn normal<P: Policy, R: Real>(tri: &Met<R>) -> Vec3<R> {
         tri.normal
+    }
+}
+
+impl<R: Real> Met<R> {
+    /// p_u n_u + p_v n_v + p_w, all over n_w.
+    #[inline(always)]
+    fn along<P: Policy>(&self, p: &Vec3<R>) -> R {
+        let (u, v) = (self.w.next().pick(p), self.w.next().next().pick(p));
+        P::multiply_add(v, self.n.y(), P::multiply_add(u, self.n.x(), self.w.pick(p)))
     }
 }
 

@@ -14,7 +14,7 @@
 use super::perpendicular_planes::planes;
 use super::shares::{Known, known};
 use super::stored::{plain_cross, plain_dot};
-use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
+use super::{About, Begun, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray};
 
@@ -76,6 +76,7 @@ impl Kernel for WoopAffine {
     type Record<E: Element> = [E; 12];
     type Met<R: Real> = Rows<R>;
     type Aim<R: Real> = ();
+    type Begun<R: Real> = Begun<R>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
         let (ab, ac) = corners.edges();
@@ -97,8 +98,18 @@ impl Kernel for WoopAffine {
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
     #[inline(always)]
-    fn test<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Rows<R>) -> Result<Found<R>, Miss> {
-        test_knowing::<P, R>(ray, tri, Known::NOTHING)
+    fn begin<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Rows<R>) -> Result<Begun<R>, Miss> {
+        begin_knowing::<P, R>(ray, tri, Known::NOTHING)
+    }
+
+    #[inline(always)]
+    fn end<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Rows<R>,
+        begun: &Begun<R>,
+    ) -> Result<Found<R>, Miss> {
+        end_knowing::<P, R>(ray, tri, begun, Known::NOTHING)
     }
 
     #[inline(always)]
@@ -138,17 +149,29 @@ impl<R: Real> Rows<R> {
     }
 }
 
-/// The test, of which some is known.
+/// The first part of the test, of which some is known.
 #[inline(always)]
-fn test_knowing<P: Policy, R: Real>(
+fn begin_knowing<P: Policy, R: Real>(
     ray: &Ray<R>,
     tri: &Rows<R>,
     known: Known<FromOrigin<R>, FromDirection<R>>,
-) -> Result<Found<R>, Miss> {
+) -> Result<Begun<R>, Miss> {
     let det = known!(known.direction.z, tri.z.of_direction::<P>(ray));
     let hit = P::keep(P::divisible(det), 1)?;
     let (t, scale) = P::quotient(-known!(known.origin.z, tri.z.of_origin::<P>(ray)), det);
     let hit = P::keep_range(hit, ray, t, scale, 2)?;
+    Ok(Begun::knowing::<P>(hit, t, scale, known.direction.map(|direction| direction.inverse)))
+}
+
+/// The rest of it.
+#[inline(always)]
+fn end_knowing<P: Policy, R: Real>(
+    ray: &Ray<R>,
+    tri: &Rows<R>,
+    begun: &Begun<R>,
+    known: Known<FromOrigin<R>, FromDirection<R>>,
+) -> Result<Found<R>, Miss> {
+    let Begun { hit, t, scale, .. } = *begun;
     let o = known!(known.origin.x, tri.x.of_origin::<P>(ray));
     let d = known!(known.direction.x, tri.x.of_direction::<P>(ray));
     let u = P::along(o, d, t, scale);
@@ -157,8 +180,22 @@ fn test_knowing<P: Policy, R: Real>(
     let d = known!(known.direction.y, tri.y.of_direction::<P>(ray));
     let v = P::along(o, d, t, scale);
     let hit = P::keep(hit & P::beside(u, v, scale), 4)?;
-    let inverse = known!(known.direction.inverse, P::inverse(scale));
-    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+    begun.finish::<P>(hit, ray, [t, u, v])
+}
+
+/// Of what is shared by rays with one origin.
+#[inline(always)]
+fn origin<R: Real>(tri: &Rows<R>) -> Known<FromOrigin<R>, FromDirection<R>> {
+    let origin = FromOrigin { x: tri.x.offset, y: tri.y.offset, z: tri.z.offset };
+    Known { origin: Some(origin), direction: None }
+}
+
+/// Of what is shared by rays with one direction.
+#[inline(always)]
+fn direction<R: Real, S: Source<R>>(shared: &S) -> Known<FromOrigin<R>, FromDirection<R>> {
+    let (z, inverse) = (shared.number(12), shared.number(15));
+    let [x, y] = shared.pair(13);
+    Known { origin: None, direction: Some(FromDirection { x, y, z, inverse }) }
 }
 
 impl Shares<CommonOrigin> for WoopAffine {
@@ -172,14 +209,24 @@ impl Shares<CommonOrigin> for WoopAffine {
     }
 
     #[inline(always)]
-    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+    fn begin_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
+    ) -> Result<Begun<R>, Miss> {
+        let tri = Rows::of(shared);
+        begin_knowing::<P, R>(ray, &tri, origin(&tri))
+    }
+
+    #[inline(always)]
+    fn end_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+        begun: &Begun<R>,
     ) -> Result<Found<R>, Miss> {
         let tri = Rows::of(shared);
-        let origin = FromOrigin { x: tri.x.offset, y: tri.y.offset, z: tri.z.offset };
-        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
+        end_knowing::<P, R>(ray, &tri, begun, origin(&tri))
     }
 }
 
@@ -198,14 +245,21 @@ impl Shares<Parallel> for WoopAffine {
     }
 
     #[inline(always)]
-    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+    fn begin_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
+    ) -> Result<Begun<R>, Miss> {
+        begin_knowing::<P, R>(ray, &Rows::of(shared), direction(shared))
+    }
+
+    #[inline(always)]
+    fn end_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+        begun: &Begun<R>,
     ) -> Result<Found<R>, Miss> {
-        let (z, inverse) = (shared.number(12), shared.number(15));
-        let [x, y] = shared.pair(13);
-        let known = Known { origin: None, direction: Some(FromDirection { x, y, z, inverse }) };
-        test_knowing::<P, R>(ray, &Rows::of(shared), known)
+        end_knowing::<P, R>(ray, &Rows::of(shared), begun, direction(shared))
     }
 }

@@ -22,6 +22,8 @@
 
 use std::marker::PhantomData;
 
+use super::begun::in_one_piece;
+use super::shares::shared_in_one_piece;
 use super::{About, CommonOrigin, Corners, Edges, Kernel, Shares, Source};
 use crate::number::{Axis, Element, Real, Vec3};
 use crate::policy::{Found, Miss, Policy, Ray, Rounding};
@@ -99,11 +101,14 @@ impl<E: Edges> Kernel for WoopWatertight<E> {
         }
     }
 
+    in_one_piece!();
+
     #[inline(always)]
-    fn test<P: Policy, R: Real>(
+    fn end<P: Policy, R: Real>(
         ray: &Ray<R>,
         aim: &Aim<R>,
         tri: &Corners<R>,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
         test_seen::<E, P, R>(ray, aim, [aim.seen(&tri.a), aim.seen(&tri.b), aim.seen(&tri.c)])
     }
@@ -149,11 +154,14 @@ impl<E: Edges> Shares<CommonOrigin> for WoopWatertight<E> {
         [ax, ay, az, bx, by, bz, cx, cy, cz]
     }
 
+    shared_in_one_piece!();
+
     #[inline(always)]
-    fn test_shared<P: Policy, R: Real, S: Source<R>>(
+    fn end_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         aim: &Aim<R>,
         shared: &S,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
         let Corners { a, b, c } = Corners::read(shared, 0);
         test_seen::<E, P, R>(ray, aim, [aim.turned(&a), aim.turned(&b), aim.turned(&c)])
