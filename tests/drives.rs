@@ -4,7 +4,7 @@
 
 use ray_test::job::{Answer, Block};
 use ray_test::registry::{Axes, Variant, find, variants};
-use ray_test::workload::{Kind, NearestSet, NearestSpec};
+use ray_test::workload::{Kind, NearestSet, NearestSpec, Triangle};
 
 /// The single ray of the same form. Fused forms are single at AVX2 only, and of f32; long packets of
 /// fused f64 are held to those of one register, which `tests/lanes` holds to single rays.
@@ -66,10 +66,14 @@ fn suits(variant: &Variant, kind: Kind) -> bool {
     }
 }
 
-/// 45 triangles: no group, block or line of a layout comes out even.
+/// 45 triangles, of which one has no area and one lies along the first ray: no group, block or line of a layout comes out even.
 fn set(kind: Kind, seed: u64) -> NearestSet {
     let spec = NearestSpec { triangles: 45, rays: 128, kind, spread: 0.0, seed };
-    NearestSet::draw(spec).expect("a plain specification")
+    let mut set = NearestSet::draw(spec).expect("a plain specification");
+    let Triangle { a, b, c } = set.triangles[0];
+    set.triangles[43] = Triangle { a, b, c: b };
+    set.triangles[44] = Triangle { a, b: a + set.rays[0].direction, c };
+    set
 }
 
 #[test]

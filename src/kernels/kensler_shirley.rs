@@ -10,9 +10,10 @@
 
 use std::marker::PhantomData;
 
-use super::shares::known;
+use super::begun::in_one_piece;
+use super::shares::{Known, known, shared_in_one_piece};
 use super::stored::Frame;
-use super::{About, Begun, CommonOrigin, Corners, Kernel, Parallel, Shares, Source, Stored};
+use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source, Stored};
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Found, Leading, Miss, Policy, Ray, Scale};
 
@@ -33,7 +34,6 @@ impl<S: Stored> Kernel for KenslerShirley<S> {
     type Record<E: Element> = S::Record<E>;
     type Met<R: Real> = Frame<R>;
     type Aim<R: Real> = ();
-    type Begun<R: Real> = Begun<R>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> S::Record<E> {
         S::prepare(corners)
@@ -47,19 +47,16 @@ impl<S: Stored> Kernel for KenslerShirley<S> {
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
-    #[inline(always)]
-    fn begin<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Frame<R>) -> Result<Begun<R>, Miss> {
-        begin_knowing::<P, R>(ray, tri, None)
-    }
+    in_one_piece!();
 
     #[inline(always)]
     fn end<P: Policy, R: Real>(
         ray: &Ray<R>,
         (): &(),
         tri: &Frame<R>,
-        begun: &Begun<R>,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
-        end_knowing::<P, R>(ray, tri, begun, None)
+        test_knowing::<P, R>(ray, tri, Known::NOTHING)
     }
 
     #[inline(always)]
@@ -97,40 +94,29 @@ fn determinant<P: Policy, R: Real>(tri: &Frame<R>, ray: &Ray<R>) -> R {
     P::dot(ray.direction, tri.n)
 }
 
-/// The first part of the test, of which what follows from the direction may be known.
+/// The test, of which some is known.
 #[inline(always)]
-fn begin_knowing<P: Policy, R: Real>(
+fn test_knowing<P: Policy, R: Real>(
     ray: &Ray<R>,
     tri: &Frame<R>,
-    known: Option<FromDirection<R>>,
-) -> Result<Begun<R>, Miss> {
-    let det = known!(known.det, determinant::<P, R>(tri, ray));
-    let hit = P::keep(P::divisible(det), 1)?;
-    let inverse = known.map(|direction| direction.inverse);
-    Ok(Begun::knowing::<P>(hit, det, P::divide(det), inverse))
-}
-
-/// The rest of it, of which what follows from the origin may be known.
-#[inline(always)]
-fn end_knowing<P: Policy, R: Real>(
-    ray: &Ray<R>,
-    tri: &Frame<R>,
-    begun: &Begun<R>,
-    known: Option<FromOrigin<R>>,
+    known: Known<FromOrigin<R>, FromDirection<R>>,
 ) -> Result<Found<R>, Miss> {
-    let (hit, scale) = (begun.hit, begun.scale);
-    let oa = known!(known.oa, seen(tri, ray));
-    if P::Leading::DISTANCE {
-        let t = P::signed(known!(known.depth, depth::<P, R>(tri, oa)), scale);
+    let det = known!(known.direction.det, determinant::<P, R>(tri, ray));
+    let scale = P::divide(det);
+    let hit = P::keep(P::divisible(det), 1)?;
+    let oa = known!(known.origin.oa, seen(tri, ray));
+    let (hit, [t, u, v]) = if P::Leading::DISTANCE {
+        let t = P::signed(known!(known.origin.depth, depth::<P, R>(tri, oa)), scale);
         let hit = P::keep_range(hit, ray, t, scale, 2)?;
         let (hit, u, v) = keep_inside::<P, R>(hit, ray, oa, tri, scale)?;
-        begun.finish::<P>(hit, ray, [t, u, v])
+        (hit, [t, u, v])
     } else {
         let (hit, u, v) = keep_inside::<P, R>(hit, ray, oa, tri, scale)?;
-        let t = P::signed(known!(known.depth, depth::<P, R>(tri, oa)), scale);
-        let hit = P::keep_range(hit, ray, t, scale, 2)?;
-        begun.finish::<P>(hit, ray, [t, u, v])
-    }
+        let t = P::signed(known!(known.origin.depth, depth::<P, R>(tri, oa)), scale);
+        (P::keep_range(hit, ray, t, scale, 2)?, [t, u, v])
+    };
+    let inverse = known!(known.direction.inverse, P::inverse(scale));
+    P::finish_by(hit, ray, [t, u, v], scale, inverse)
 }
 
 /// OA in place of a, the edges, N.
@@ -158,25 +144,18 @@ impl<S: Stored> Shares<CommonOrigin> for KenslerShirley<S> {
         [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, depth::<P, R>(tri, oa)]
     }
 
-    #[inline(always)]
-    fn begin_shared<P: Policy, R: Real, O: Source<R>>(
-        ray: &Ray<R>,
-        (): &(),
-        shared: &O,
-    ) -> Result<Begun<R>, Miss> {
-        begin_knowing::<P, R>(ray, &frame(shared), None)
-    }
+    shared_in_one_piece!();
 
     #[inline(always)]
     fn end_shared<P: Policy, R: Real, O: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &O,
-        begun: &Begun<R>,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
         let tri = frame(shared);
         let origin = FromOrigin { oa: tri.a, depth: shared.number(12) };
-        end_knowing::<P, R>(ray, &tri, begun, Some(origin))
+        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
     }
 }
 
@@ -192,24 +171,18 @@ impl<S: Stored> Shares<Parallel> for KenslerShirley<S> {
         [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, det, inverse]
     }
 
-    #[inline(always)]
-    fn begin_shared<P: Policy, R: Real, O: Source<R>>(
-        ray: &Ray<R>,
-        (): &(),
-        shared: &O,
-    ) -> Result<Begun<R>, Miss> {
-        let direction = FromDirection { det: shared.number(12), inverse: shared.number(13) };
-        begin_knowing::<P, R>(ray, &frame(shared), Some(direction))
-    }
+    shared_in_one_piece!();
 
     #[inline(always)]
     fn end_shared<P: Policy, R: Real, O: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &O,
-        begun: &Begun<R>,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
-        end_knowing::<P, R>(ray, &frame(shared), begun, None)
+        let direction = FromDirection { det: shared.number(12), inverse: shared.number(13) };
+        let known = Known { origin: None, direction: Some(direction) };
+        test_knowing::<P, R>(ray, &frame(shared), known)
     }
 }
 

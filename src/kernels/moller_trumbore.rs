@@ -9,8 +9,9 @@
 //! Known weakness: no shared edge is evaluated the same from both sides, so rays through edges
 //! leak; d x e2 cancels for directions along an edge.
 
-use super::shares::known;
-use super::{About, Begun, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
+use super::begun::in_one_piece;
+use super::shares::{Known, known, shared_in_one_piece};
+use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Leading, Miss, Policy, Ray, Scale};
 
@@ -50,7 +51,6 @@ impl Kernel for MollerTrumbore {
     type Record<E: Element> = [E; 9];
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
-    type Begun<R: Real> = Halfway<R>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> [E; 9] {
         corners.numbers()
@@ -64,19 +64,16 @@ impl Kernel for MollerTrumbore {
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
-    #[inline(always)]
-    fn begin<P: Policy, R: Real>(ray: &Ray<R>, (): &(), tri: &Met<R>) -> Result<Halfway<R>, Miss> {
-        begin_knowing::<P, R>(ray, tri, None)
-    }
+    in_one_piece!();
 
     #[inline(always)]
     fn end<P: Policy, R: Real>(
         ray: &Ray<R>,
         (): &(),
         tri: &Met<R>,
-        begun: &Halfway<R>,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
-        end_knowing::<P, R>(ray, tri, begun, None)
+        test_knowing::<P, R>(ray, tri, Known::NOTHING)
     }
 
     #[inline(always)]
@@ -124,53 +121,34 @@ impl<R: Real> Met<R> {
     }
 }
 
-/// What the first part of the test leaves.
-#[derive(Clone, Copy)]
-pub struct Halfway<R: Real> {
-    p: Vec3<R>,
-    begun: Begun<R>,
-}
-
-/// The first part of the test, of which what follows from the direction may be known.
+/// The test, of which some is known.
 #[inline(always)]
-fn begin_knowing<P: Policy, R: Real>(
+fn test_knowing<P: Policy, R: Real>(
     ray: &Ray<R>,
     tri: &Met<R>,
-    known: Option<FromDirection<R>>,
-) -> Result<Halfway<R>, Miss> {
-    let p = known!(known.p, tri.p::<P>(ray));
-    let det = known!(known.det, tri.det::<P>(p));
-    let hit = P::keep(P::divisible(det), 1)?;
-    let inverse = known.map(|direction| direction.inverse);
-    Ok(Halfway { p, begun: Begun::knowing::<P>(hit, det, P::divide(det), inverse) })
-}
-
-/// The rest of it, of which what follows from the origin may be known.
-#[inline(always)]
-fn end_knowing<P: Policy, R: Real>(
-    ray: &Ray<R>,
-    tri: &Met<R>,
-    halfway: &Halfway<R>,
-    known: Option<FromOrigin<R>>,
+    known: Known<FromOrigin<R>, FromDirection<R>>,
 ) -> Result<Found<R>, Miss> {
-    let Halfway { p, begun } = *halfway;
-    let (hit, scale) = (begun.hit, begun.scale);
-    let s = known!(known.s, tri.s(ray));
-    if P::Leading::DISTANCE {
-        let q = known!(known.q, tri.q::<P>(s));
-        let t = P::signed(known!(known.depth, tri.depth::<P>(q)), scale);
+    let p = known!(known.direction.p, tri.p::<P>(ray));
+    let det = known!(known.direction.det, tri.det::<P>(p));
+    let scale = P::divide(det);
+    let hit = P::keep(P::divisible(det), 1)?;
+    let s = known!(known.origin.s, tri.s(ray));
+    let (hit, [t, u, v]) = if P::Leading::DISTANCE {
+        let q = known!(known.origin.q, tri.q::<P>(s));
+        let t = P::signed(known!(known.origin.depth, tri.depth::<P>(q)), scale);
         let hit = P::keep_range(hit, ray, t, scale, 4)?;
         let (hit, u) = keep_u::<P, R>(hit, s, p, scale)?;
         let (hit, v) = keep_v::<P, R>(hit, ray, q, u, scale)?;
-        begun.finish::<P>(hit, ray, [t, u, v])
+        (hit, [t, u, v])
     } else {
         let (hit, u) = keep_u::<P, R>(hit, s, p, scale)?;
-        let q = known!(known.q, tri.q::<P>(s));
+        let q = known!(known.origin.q, tri.q::<P>(s));
         let (hit, v) = keep_v::<P, R>(hit, ray, q, u, scale)?;
-        let t = P::signed(known!(known.depth, tri.depth::<P>(q)), scale);
-        let hit = P::keep_range(hit, ray, t, scale, 4)?;
-        begun.finish::<P>(hit, ray, [t, u, v])
-    }
+        let t = P::signed(known!(known.origin.depth, tri.depth::<P>(q)), scale);
+        (P::keep_range(hit, ray, t, scale, 4)?, [t, u, v])
+    };
+    let inverse = known!(known.direction.inverse, P::inverse(scale));
+    P::finish_by(hit, ray, [t, u, v], scale, inverse)
 }
 
 impl Shares<CommonOrigin> for MollerTrumbore {
@@ -186,32 +164,21 @@ impl Shares<CommonOrigin> for MollerTrumbore {
         [sx, sy, sz, qx, qy, qz, ax, ay, az, bx, by, bz, tri.depth::<P>(q)]
     }
 
-    #[inline(always)]
-    fn begin_shared<P: Policy, R: Real, S: Source<R>>(
-        ray: &Ray<R>,
-        (): &(),
-        shared: &S,
-    ) -> Result<Halfway<R>, Miss> {
-        begin_knowing::<P, R>(ray, &seen(shared), None)
-    }
+    shared_in_one_piece!();
 
     #[inline(always)]
     fn end_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-        begun: &Halfway<R>,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
+        // The corner itself is behind s.
+        let tri = Met { a: shared.vector(0), e1: shared.vector(6), e2: shared.vector(9) };
         let origin =
             FromOrigin { s: shared.vector(0), q: shared.vector(3), depth: shared.number(12) };
-        end_knowing::<P, R>(ray, &seen(shared), begun, Some(origin))
+        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
     }
-}
-
-/// What is shared of a triangle as seen from one origin; its corner is behind s.
-#[inline(always)]
-fn seen<R: Real, S: Source<R>>(shared: &S) -> Met<R> {
-    Met { a: shared.vector(0), e1: shared.vector(6), e2: shared.vector(9) }
 }
 
 impl Shares<Parallel> for MollerTrumbore {
@@ -228,31 +195,20 @@ impl Shares<Parallel> for MollerTrumbore {
         [ax, ay, az, bx, by, bz, cx, cy, cz, px, py, pz, det, inverse]
     }
 
-    #[inline(always)]
-    fn begin_shared<P: Policy, R: Real, S: Source<R>>(
-        ray: &Ray<R>,
-        (): &(),
-        shared: &S,
-    ) -> Result<Halfway<R>, Miss> {
-        let (p, det, inverse) = (shared.vector(9), shared.number(12), shared.number(13));
-        begin_knowing::<P, R>(ray, &cornered(shared), Some(FromDirection { p, det, inverse }))
-    }
+    shared_in_one_piece!();
 
     #[inline(always)]
     fn end_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-        begun: &Halfway<R>,
+        (): &(),
     ) -> Result<Found<R>, Miss> {
-        end_knowing::<P, R>(ray, &cornered(shared), begun, None)
+        let tri = Met { a: shared.vector(0), e1: shared.vector(3), e2: shared.vector(6) };
+        let (p, det, inverse) = (shared.vector(9), shared.number(12), shared.number(13));
+        let direction = FromDirection { p, det, inverse };
+        test_knowing::<P, R>(ray, &tri, Known { origin: None, direction: Some(direction) })
     }
-}
-
-/// What is shared of a triangle along one direction.
-#[inline(always)]
-fn cornered<R: Real, S: Source<R>>(shared: &S) -> Met<R> {
-    Met { a: shared.vector(0), e1: shared.vector(3), e2: shared.vector(6) }
 }
 
 #[inline(always)]

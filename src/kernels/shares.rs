@@ -55,15 +55,9 @@ pub trait Shares<C: Common>: Kernel {
     ) -> Result<Found<R>, Miss>;
 }
 
-/// `known!(part.value, other)`: the value of that name, if that part of a test is known, else the
+/// `known!(known.part.value, other)`: the value of that name, if that part of a test is known, else the
 /// other. Which one is decided when a form is compiled.
 macro_rules! known {
-    ($part:ident.$value:ident, $otherwise:expr) => {
-        match $part {
-            Some(part) => part.$value,
-            None => $otherwise,
-        }
-    };
     ($known:ident.$part:ident.$value:ident, $otherwise:expr) => {
         match $known.$part {
             Some(part) => part.$value,
@@ -76,10 +70,10 @@ macro_rules! known {
 macro_rules! shared_in_one_piece {
     () => {
         #[inline(always)]
-        fn begin_shared<P: Policy, R: Real, S: Source<R>>(
+        fn begin_shared<P: Policy, R: Real, T: Source<R>>(
             _: &Ray<R>,
             _: &Self::Aim<R>,
-            _: &S,
+            _: &T,
         ) -> Result<(), Miss> {
             Ok(())
         }

@@ -44,9 +44,15 @@ pub struct Last;
 impl Division for First {
     const NAME: &'static str = "first";
     const BEHIND_TESTS: bool = false;
-    #[inline(always)]
+    /// A quotient by 0 is infinite or no number, and a search for the nearest hit takes neither.
     fn divisible<P: Policy, R: Real>(det: R) -> R::Mask {
-        if P::Facing::CULLS { det.gt(det.zero()) } else { det.ne(det.zero()) }
+        if P::Facing::CULLS {
+            det.gt(det.zero())
+        } else if P::LEAVES_BOUND {
+            R::mask(det.token(), true)
+        } else {
+            det.ne(det.zero())
+        }
     }
     #[inline(always)]
     fn divide<P: Policy, R: Real>(det: R) -> Scale<R> {
