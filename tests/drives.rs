@@ -66,7 +66,8 @@ fn suits(variant: &Variant, kind: Kind) -> bool {
     }
 }
 
-/// 45 triangles, of which one has no area and one lies along the first ray: no group, block or line of a layout comes out even.
+/// 45 triangles, of which one has no area and one lies along the first ray: no group, block or line of
+/// a layout comes out even.
 fn set(kind: Kind, seed: u64) -> NearestSet {
     let spec = NearestSpec { triangles: 45, rays: 128, kind, spread: 0.0, seed };
     let mut set = NearestSet::draw(spec).expect("a plain specification");

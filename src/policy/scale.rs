@@ -45,6 +45,7 @@ impl Division for First {
     const NAME: &'static str = "first";
     const BEHIND_TESTS: bool = false;
     /// A quotient by 0 is infinite or no number, and a search for the nearest hit takes neither.
+    #[inline(always)]
     fn divisible<P: Policy, R: Real>(det: R) -> R::Mask {
         if P::Facing::CULLS {
             det.gt(det.zero())
