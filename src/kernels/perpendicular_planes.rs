@@ -135,8 +135,9 @@ fn test_knowing<P: Policy, R: Real>(
     let u = share::<P, R>(point, tri.b, tri.bd, scale);
     let v = share::<P, R>(point, tri.c, tri.cd, scale);
     let hit = P::keep(hit & P::inside(u, v, scale), 3)?;
+    let hit = P::settle(hit, ray, t, scale)?;
     let inverse = known!(known.direction.inverse, P::inverse(scale));
-    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+    Ok(P::finish_by(hit, ray, [t, u, v], inverse))
 }
 
 impl Shares<CommonOrigin> for PerpendicularPlanes {

@@ -157,8 +157,9 @@ fn test_knowing<P: Policy, R: Real>(
     let d = known!(known.direction.y, tri.y.of_direction::<P>(ray));
     let v = P::along(o, d, t, scale);
     let hit = P::keep(hit & P::beside(u, v, scale), 4)?;
+    let hit = P::settle(hit, ray, t, scale)?;
     let inverse = known!(known.direction.inverse, P::inverse(scale));
-    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+    Ok(P::finish_by(hit, ray, [t, u, v], inverse))
 }
 
 impl Shares<CommonOrigin> for WoopAffine {

@@ -1,6 +1,6 @@
 //! Dividing first or last (thesis H, 4.2.4).
 
-use super::{Facing, Policy, Tests};
+use super::{Policy, Reciprocal, Tests};
 use crate::number::{Element, Real};
 
 /// What numerators are compared with.
@@ -29,7 +29,7 @@ pub trait Division: Copy + 'static {
     /// See [`Policy::scaled`].
     fn scaled<R: Real>(value: R, scale: Scale<R>) -> R;
     /// What [`Division::resolve`] multiplies by.
-    fn inverse<R: Real>(scale: Scale<R>) -> R;
+    fn inverse<P: Policy, R: Real>(scale: Scale<R>) -> R;
     /// A numerator with its division done.
     fn resolve<R: Real>(numerator: R, inverse: R) -> R;
 }
@@ -46,11 +46,11 @@ impl Division for First {
     const BEHIND_TESTS: bool = false;
     #[inline(always)]
     fn divisible<P: Policy, R: Real>(det: R) -> R::Mask {
-        if P::Facing::CULLS { det.gt(det.zero()) } else { det.ne(det.zero()) }
+        P::Reciprocal::divisible::<P, R>(det)
     }
     #[inline(always)]
     fn divide<P: Policy, R: Real>(det: R) -> Scale<R> {
-        Scale { factor: det.one() / det, one: det.one() }
+        Scale { factor: P::Reciprocal::of::<P, R>(det), one: det.one() }
     }
     #[inline(always)]
     fn signed<P: Policy, R: Real>(numerator: R, scale: Scale<R>) -> R {
@@ -58,14 +58,15 @@ impl Division for First {
     }
     #[inline(always)]
     fn quotient<P: Policy, R: Real>(numerator: R, det: R) -> (R, Scale<R>) {
-        (numerator / det, Scale { factor: det.one(), one: det.one() })
+        let quotient = P::Reciprocal::quotient::<P, R>(numerator, det);
+        (quotient, Scale { factor: det.one(), one: det.one() })
     }
     #[inline(always)]
     fn scaled<R: Real>(value: R, _: Scale<R>) -> R {
         value
     }
     #[inline(always)]
-    fn inverse<R: Real>(scale: Scale<R>) -> R {
+    fn inverse<P: Policy, R: Real>(scale: Scale<R>) -> R {
         scale.one
     }
     #[inline(always)]
@@ -106,8 +107,8 @@ impl Division for Last {
         value * scale.one
     }
     #[inline(always)]
-    fn inverse<R: Real>(scale: Scale<R>) -> R {
-        scale.one.one() / scale.one
+    fn inverse<P: Policy, R: Real>(scale: Scale<R>) -> R {
+        P::Reciprocal::of::<P, R>(scale.one)
     }
     #[inline(always)]
     fn resolve<R: Real>(numerator: R, inverse: R) -> R {

@@ -325,6 +325,8 @@ columns! {
     edges: String,
     /// `kept`, or `flushed` to zero.
     subnormals: String,
+    /// `divide`, or `estimate`, `newton`, `newton-2`: how reciprocals are computed.
+    reciprocal: String,
 }
 
 impl Serialize for Row {
