@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 32] = [
+const IDS: [&str; 33] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -17,6 +17,7 @@ const IDS: [&str; 32] = [
     "b-4.7",
     "b-4.9",
     "branches",
+    "branches-packets",
     "bundles",
     "calls",
     "common-origin",
