@@ -76,8 +76,8 @@ impl Exit for Once {
     /// look: it would take them apart again, into a jump behind each.
     #[inline(always)]
     fn settle<M: Mask>(mask: M) -> Result<M, Miss> {
-        let any = if M::LANES == 1 { black_box(mask.any()) } else { mask.any() };
-        if any { Ok(mask) } else { Err(Miss(1)) }
+        let mask = if M::LANES == 1 { black_box(mask) } else { mask };
+        if mask.any() { Ok(mask) } else { Err(Miss(1)) }
     }
     #[inline(always)]
     fn select<R: Real, const N: usize>(mask: R::Mask, yes: [R; N], no: [R; N]) -> [R; N] {
