@@ -27,7 +27,7 @@ function begin(line,    name, rest) {
     kernel = rest; sub(/^[A-Za-z]*</, "", kernel); sub(/[<,].*/, "", kernel)
     form = rest; if (!sub(/^.*Form</, "", form)) form = "Early, None, Plain, Tuv"
     gsub(/>.*/, "", form); split(form, axis, /, /)
-    full = axis[1] == "Full"; exit_ = full ? "full" : "early"
+    full = axis[1] == "Full"; once = axis[1] == "Once"; exit_ = full ? "full" : "early"
     divides_first = axis[2] == "First"; output = axis[4]
     packet = rest ~ /Lanes</
     wide = !packet ? "" : rest ~ /f32x16|f64x8/ ? "zmm" : rest ~ /f32x8|f64x4/ ? "ymm" : "xmm"
@@ -194,6 +194,8 @@ function judge_single(    d, p, most) {
         rule("jumps", found["jumps"] <= 1, "jumps", "jumps in the inner loop of a full form")
         rule("jumps", found["outer"] <= 2, "outer", "jumps in the outer loop of a full form")
     }
+    # The end of the loop, the one question, and what the nearest hit is kept by.
+    if (once) rule("jumps", found["jumps"] <= 3, "jumps", "jumps in the inner loop of a form that asks once")
     d = found["divisions"] + 0; p = found["packed divisions"] + 0; most = divisions[kernel] + 0
     if (drive == "Listed") {
         skip("listings: divisions are as printed")

@@ -69,6 +69,8 @@ expect width "$single" "$good" 'vmulps ymm0,ymm1,ymm2' "$loop" ret
 expect divisions "$single" "$good" 'divps  xmm0,xmm1' "$loop" ret
 expect divisions "$single" "$good" 'divss  xmm0,xmm1' 'divss  xmm2,xmm3' "$loop" ret
 expect jumps "$single" "$good" 'je     1018 <x>' "$good" "$loop" ret
+expect jumps "${single/axes::Full/exit::Once}" "$good" 'je     1018 <x>' "$good" 'je     1028 <x>' "$good" \
+    'je     1038 <x>' "$good" "$loop" ret
 expect loop "$single" "$good" ret
 placebo_extra[2]='divss  xmm0,xmm2'
 expect placebos "$packet" "$wide" "$loop" ret

@@ -28,6 +28,7 @@ pub fn of_axes(axes: &Axes) -> Row {
         stored: axes.stored.into(),
         cull: axes.cull.into(),
         tests_form: axes.tests.into(),
+        reciprocal: axes.reciprocal.into(),
         leading: axes.leading.into(),
         edges: axes.edges.into(),
         subnormals: axes.subnormals.into(),

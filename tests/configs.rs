@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 27] = [
+const IDS: [&str; 33] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -16,8 +16,11 @@ const IDS: [&str; 27] = [
     "b-4.5",
     "b-4.7",
     "b-4.9",
+    "branches",
+    "branches-packets",
     "bundles",
     "calls",
+    "common-origin",
     "groups",
     "h-10",
     "h-11",
@@ -30,9 +33,12 @@ const IDS: [&str; 27] = [
     "h-double",
     "lanes",
     "layouts",
+    "packets",
     "padding",
+    "parallel",
     "points",
     "precision",
+    "reciprocal",
     "tests-form",
     "tests-order",
 ];

@@ -124,6 +124,7 @@ fn line_form(id: &str, output: &str) -> Option<&'static Variant> {
         let axes = &variant.axes;
         let plain = axes.precision == "f32" && axes.drive == "single" && axes.rounding == "plain";
         let usual = axes.cull == "off" && axes.tests == "compare" && axes.priced.is_empty();
+        let usual = usual && axes.reciprocal == "divide";
         let native = axes.leading_is_native && axes.stored_is_native && axes.query == "ray";
         axes.kernel == id
             && plain

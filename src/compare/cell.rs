@@ -6,7 +6,7 @@ use super::side::Side;
 use crate::table::Row;
 
 /// Columns that say what was measured, besides the id.
-const NAMES: [&str; 20] = [
+const NAMES: [&str; 21] = [
     "experiment",
     "kernel",
     "precision",
@@ -19,6 +19,7 @@ const NAMES: [&str; 20] = [
     "stored",
     "cull",
     "tests_form",
+    "reciprocal",
     "edges",
     "leading",
     "code",

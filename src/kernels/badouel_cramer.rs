@@ -112,7 +112,7 @@ impl PointTest for BadouelCramer {
         let q = [u.pick(point) - tri.a[0], v.pick(point) - tri.a[1]];
         let (inside, [beta, gamma], scale) = contains::<P, R>(q, tri, one);
         let hit = P::keep(inside, 3)?;
-        let inverse = P::Division::inverse(scale);
+        let inverse = P::inverse(scale);
         Ok((hit, P::Division::resolve(beta, inverse), P::Division::resolve(gamma, inverse)))
     }
 }

@@ -42,11 +42,12 @@ impl<R: Real> Begun<R> {
         ray: &Ray<R>,
         numerators: [R; 3],
     ) -> Result<Found<R>, Miss> {
+        let hit = P::settle(hit, ray, numerators[0], self.scale)?;
         let inverse = match self.inverse {
             Some(inverse) => inverse,
             None => P::inverse(self.scale),
         };
-        P::finish_by(hit, ray, numerators, self.scale, inverse)
+        Ok(P::finish_by(hit, ray, numerators, inverse))
     }
 }
 

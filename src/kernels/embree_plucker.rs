@@ -167,7 +167,7 @@ impl Shares<CommonOrigin> for EmbreePlucker {
 /// Both weights over their sum, at most 1.
 #[inline(always)]
 fn shares<P: Policy, R: Real>(weights: [R; 2], sum: R) -> [R; 2] {
-    let inverse = Last::inverse(Scale { factor: sum, one: sum });
+    let inverse = Last::inverse::<P, R>(Scale { factor: sum, one: sum });
     let whole = Last::divisible::<P, R>(sum);
     let [inverse] = P::Exit::select(whole, [inverse], [sum.zero()]);
     let (u, v, one) = (weights[0] * inverse, weights[1] * inverse, sum.one());

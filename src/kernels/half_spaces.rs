@@ -195,7 +195,7 @@ pub fn contains_shares<P: Policy, R: Real>(
     // Divided last in every form.
     let divisible = Last::divisible::<P, R>(area) & P::finite(area);
     let hit = P::keep(wa.ge(zero) & wb.ge(zero) & wc.ge(zero) & divisible, 3)?;
-    let inverse = Last::inverse(Scale { factor: area, one: area });
+    let inverse = Last::inverse::<P, R>(Scale { factor: area, one: area });
     let (u, v) = (wb * inverse, wc * inverse);
     Ok((hit & P::finite(u) & P::finite(v), u, v))
 }

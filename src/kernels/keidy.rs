@@ -94,7 +94,7 @@ impl<S: Stored> PointTest for Keidy<S> {
         let (inside, [x, y], scale) =
             contains::<P, R>(*point - tri.a, tri, Scale { factor: one, one });
         let hit = P::keep(inside, 3)?;
-        let inverse = P::Division::inverse(scale);
+        let inverse = P::inverse(scale);
         Ok((hit, P::Division::resolve(x, inverse), P::Division::resolve(y, inverse)))
     }
 }

@@ -115,8 +115,9 @@ fn test_knowing<P: Policy, R: Real>(
         let t = P::signed(known!(known.origin.depth, depth::<P, R>(tri, oa)), scale);
         (P::keep_range(hit, ray, t, scale, 2)?, [t, u, v])
     };
+    let hit = P::settle(hit, ray, t, scale)?;
     let inverse = known!(known.direction.inverse, P::inverse(scale));
-    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+    Ok(P::finish_by(hit, ray, [t, u, v], inverse))
 }
 
 /// OA in place of a, the edges, N.

@@ -147,8 +147,9 @@ fn test_knowing<P: Policy, R: Real>(
         let t = P::signed(known!(known.origin.depth, tri.depth::<P>(q)), scale);
         (P::keep_range(hit, ray, t, scale, 4)?, [t, u, v])
     };
+    let hit = P::settle(hit, ray, t, scale)?;
     let inverse = known!(known.direction.inverse, P::inverse(scale));
-    P::finish_by(hit, ray, [t, u, v], scale, inverse)
+    Ok(P::finish_by(hit, ray, [t, u, v], inverse))
 }
 
 impl Shares<CommonOrigin> for MollerTrumbore {

@@ -131,6 +131,14 @@ where
         LaneMask(self.0.is_sign_negative(), PhantomData)
     }
     #[inline(always)]
+    fn either_sign(self, other: Self) -> Self {
+        Lanes(V::from_bits(self.0.to_bits() | other.0.to_bits()), PhantomData)
+    }
+    #[inline(always)]
+    fn estimated_inverse(self) -> Self {
+        Lanes(self.0.approximate_recip(), PhantomData)
+    }
+    #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Lanes(self.0.mul_add(factor.0, addend.0), PhantomData)
     }

@@ -84,6 +84,10 @@ macro_rules! scalar {
                 self.to_bits() & $sign != 0
             }
             #[inline(always)]
+            fn either_sign(self, other: Self) -> Self {
+                Self::from_bits(self.to_bits() | other.to_bits())
+            }
+            #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
                 <$float>::mul_add(self, factor, addend)
             }

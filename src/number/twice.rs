@@ -112,6 +112,14 @@ impl<R: Real> Real for Twice<R> {
         Twice(self.0.sign_bit(), self.1.sign_bit())
     }
     #[inline(always)]
+    fn either_sign(self, other: Self) -> Self {
+        Twice(self.0.either_sign(other.0), self.1.either_sign(other.1))
+    }
+    #[inline(always)]
+    fn estimated_inverse(self) -> Self {
+        Twice(self.0.estimated_inverse(), self.1.estimated_inverse())
+    }
+    #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Twice(self.0.mul_add(factor.0, addend.0), self.1.mul_add(factor.1, addend.1))
     }

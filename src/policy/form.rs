@@ -3,18 +3,18 @@
 use std::marker::PhantomData;
 
 use super::{
-    Compare, Distance, Division, Exit, Facing, FromZero, Leading, Output, Policy, Rounding, Span,
-    Tests, TwoSided,
+    Compare, Distance, Divide, Division, Exit, Facing, FromZero, Leading, Output, Policy,
+    Reciprocal, Rounding, Span, Tests, TwoSided,
 };
 
 /// The form with these values of the axes.
 #[derive(Clone, Copy)]
 #[allow(clippy::type_complexity, reason = "one marker per axis, in the order of a variant's id")]
-pub struct Form<E, D, A, O, F = TwoSided, T = Compare, L = Distance, S = FromZero>(
-    PhantomData<(E, D, A, O, F, T, L, S)>,
+pub struct Form<E, D, A, O, F = TwoSided, T = Compare, L = Distance, S = FromZero, V = Divide>(
+    PhantomData<(E, D, A, O, F, T, L, S, V)>,
 );
 
-impl<E, D, A, O, F, T, L, S> Policy for Form<E, D, A, O, F, T, L, S>
+impl<E, D, A, O, F, T, L, S, V> Policy for Form<E, D, A, O, F, T, L, S, V>
 where
     E: Exit,
     D: Division,
@@ -24,6 +24,7 @@ where
     T: Tests,
     L: Leading,
     S: Span,
+    V: Reciprocal,
 {
     type Exit = E;
     type Division = D;
@@ -33,6 +34,7 @@ where
     type Tests = T;
     type Leading = L;
     type Span = S;
+    type Reciprocal = V;
 }
 
 /// `P` with both faces: for kernels whose determinant does not carry the face in its sign.
@@ -48,4 +50,5 @@ impl<P: Policy> Policy for BothFaces<P> {
     type Tests = P::Tests;
     type Leading = P::Leading;
     type Span = P::Span;
+    type Reciprocal = P::Reciprocal;
 }

@@ -5,17 +5,21 @@
 //! of [`Policy`]: a `?` behind each test, and numerators that are compared with `one`.
 
 mod axes;
+mod exit;
 mod form;
+mod reciprocal;
 mod scale;
 mod tests;
 
 pub use axes::{
-    Between, Cull, Distance, Early, Exit, Facing, FromZero, Full, Fused, Hit, Inside, Leading,
-    Nearer, Output, Plain, Rounding, Span, Surface, T, Tuv, TwoSided,
+    Between, Cull, Distance, Facing, FromZero, Fused, Hit, Inside, Leading, Nearer, Output, Plain,
+    Rounding, Span, Surface, T, Tuv, TwoSided,
 };
+pub use exit::{Early, Exit, Full, Once};
 pub use form::{BothFaces, Form};
+pub use reciprocal::{Divide, Estimated, Reciprocal};
 pub use scale::{Division, First, Last, Scale};
-pub use tests::{Compare, Products, SignBits, Tests};
+pub use tests::{Compare, Products, SignBits, SignBitsSafe, Tests};
 
 use crate::number::{Element, Mask, Real, Vec3};
 
@@ -69,6 +73,8 @@ pub trait Policy: Copy + 'static {
     type Leading: Leading;
     /// Which t count.
     type Span: Span;
+    /// How a reciprocal is computed.
+    type Reciprocal: Reciprocal;
 
     /// a . b
     #[inline(always)]
@@ -193,9 +199,15 @@ pub trait Policy: Copy + 'static {
     /// What late division multiplies by.
     #[inline(always)]
     fn inverse<R: Real>(scale: Scale<R>) -> R {
-        Self::Division::inverse(scale)
+        Self::Division::inverse::<Self, R>(scale)
     }
-    /// The answer where t, u and v share their denominator: late division, deferred range test.
+    /// Behind the last test: the range where it was deferred, and the way out of `once`.
+    #[inline(always)]
+    fn settle<R: Real>(hit: R::Mask, ray: &Ray<R>, t: R, scale: Scale<R>) -> Result<R::Mask, Miss> {
+        let deferred = Self::Exit::DEFERS_RANGE;
+        Self::Exit::settle(if deferred { hit & Self::within(ray, t, scale) } else { hit })
+    }
+    /// The answer where t, u and v share their denominator.
     #[inline(always)]
     fn finish<R: Real>(
         hit: R::Mask,
@@ -203,21 +215,15 @@ pub trait Policy: Copy + 'static {
         numerators: [R; 3],
         scale: Scale<R>,
     ) -> Result<Found<R>, Miss> {
-        Self::finish_by(hit, ray, numerators, scale, Self::inverse(scale))
+        let hit = Self::settle(hit, ray, numerators[0], scale)?;
+        Ok(Self::finish_by(hit, ray, numerators, Self::inverse(scale)))
     }
-    /// [`Policy::finish`], the inverse of `scale` being known.
+    /// [`Policy::finish`] behind [`Policy::settle`], the inverse of the scale being known.
     #[inline(always)]
-    fn finish_by<R: Real>(
-        hit: R::Mask,
-        ray: &Ray<R>,
-        [t, u, v]: [R; 3],
-        scale: Scale<R>,
-        inverse: R,
-    ) -> Result<Found<R>, Miss> {
-        let hit = if Self::Exit::DEFERS_RANGE { hit & Self::within(ray, t, scale) } else { hit };
+    fn finish_by<R: Real>(hit: R::Mask, ray: &Ray<R>, [t, u, v]: [R; 3], inverse: R) -> Found<R> {
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, inverse), resolve(u, inverse), resolve(v, inverse)];
-        Ok(Found { hit: Self::reached(hit, ray, t, inverse), t, u, v })
+        Found { hit: Self::reached(hit, ray, t, inverse), t, u, v }
     }
     /// The answer where u and v have a denominator of their own, which bounds them.
     #[inline(always)]
@@ -227,14 +233,13 @@ pub trait Policy: Copy + 'static {
         (t, t_scale): (R, Scale<R>),
         ([u, v], uv_scale): ([R; 2], Scale<R>),
     ) -> Result<Found<R>, Miss> {
-        let hit = if Self::Exit::DEFERS_RANGE { hit & Self::within(ray, t, t_scale) } else { hit };
-        let (t_inverse, inverse) =
-            (Self::Division::inverse(t_scale), Self::Division::inverse(uv_scale));
+        let hit = Self::settle(hit, ray, t, t_scale)?;
+        let (t_inverse, inverse) = (Self::inverse(t_scale), Self::inverse(uv_scale));
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, t_inverse), resolve(u, inverse), resolve(v, inverse)];
         let hit = Self::reached(hit, ray, t, t_inverse);
         let asks = Self::Division::BEHIND_TESTS && !Self::Tests::AS_PUBLISHED;
-        let hit = if asks { hit & inverse.ne(inverse.zero()) } else { hit };
+        let hit = if asks { hit & Self::Reciprocal::usable(inverse) } else { hit };
         Ok(Found { hit, t, u, v })
     }
     /// `hit` where t, which passed the test of its range, is finite, and the determinant, whose
@@ -246,7 +251,7 @@ pub trait Policy: Copy + 'static {
         if !Self::Division::BEHIND_TESTS || Self::Tests::AS_PUBLISHED {
             return hit;
         }
-        let hit = hit & inverse.ne(inverse.zero());
+        let hit = hit & Self::Reciprocal::usable(inverse);
         if Self::IS_SEARCH {
             hit
         } else if Self::Span::FROM_ZERO {

@@ -1,6 +1,6 @@
 //! Dividing first or last (thesis H, 4.2.4).
 
-use super::{Facing, Policy, Tests};
+use super::{Policy, Reciprocal, Tests};
 use crate::number::{Element, Real};
 
 /// What numerators are compared with.
@@ -29,7 +29,7 @@ pub trait Division: Copy + 'static {
     /// See [`Policy::scaled`].
     fn scaled<R: Real>(value: R, scale: Scale<R>) -> R;
     /// What [`Division::resolve`] multiplies by.
-    fn inverse<R: Real>(scale: Scale<R>) -> R;
+    fn inverse<P: Policy, R: Real>(scale: Scale<R>) -> R;
     /// A numerator with its division done.
     fn resolve<R: Real>(numerator: R, inverse: R) -> R;
 }
@@ -44,20 +44,13 @@ pub struct Last;
 impl Division for First {
     const NAME: &'static str = "first";
     const BEHIND_TESTS: bool = false;
-    /// A quotient by 0 is infinite or no number, and a search for the nearest hit takes neither.
     #[inline(always)]
     fn divisible<P: Policy, R: Real>(det: R) -> R::Mask {
-        if P::Facing::CULLS {
-            det.gt(det.zero())
-        } else if P::LEAVES_BOUND {
-            R::mask(det.token(), true)
-        } else {
-            det.ne(det.zero())
-        }
+        P::Reciprocal::divisible::<P, R>(det)
     }
     #[inline(always)]
     fn divide<P: Policy, R: Real>(det: R) -> Scale<R> {
-        Scale { factor: det.one() / det, one: det.one() }
+        Scale { factor: P::Reciprocal::of::<P, R>(det), one: det.one() }
     }
     #[inline(always)]
     fn signed<P: Policy, R: Real>(numerator: R, scale: Scale<R>) -> R {
@@ -65,14 +58,15 @@ impl Division for First {
     }
     #[inline(always)]
     fn quotient<P: Policy, R: Real>(numerator: R, det: R) -> (R, Scale<R>) {
-        (numerator / det, Scale { factor: det.one(), one: det.one() })
+        let quotient = P::Reciprocal::quotient::<P, R>(numerator, det);
+        (quotient, Scale { factor: det.one(), one: det.one() })
     }
     #[inline(always)]
     fn scaled<R: Real>(value: R, _: Scale<R>) -> R {
         value
     }
     #[inline(always)]
-    fn inverse<R: Real>(scale: Scale<R>) -> R {
+    fn inverse<P: Policy, R: Real>(scale: Scale<R>) -> R {
         scale.one
     }
     #[inline(always)]
@@ -113,8 +107,8 @@ impl Division for Last {
         value * scale.one
     }
     #[inline(always)]
-    fn inverse<R: Real>(scale: Scale<R>) -> R {
-        scale.one.one() / scale.one
+    fn inverse<P: Policy, R: Real>(scale: Scale<R>) -> R {
+        P::Reciprocal::of::<P, R>(scale.one)
     }
     #[inline(always)]
     fn resolve<R: Real>(numerator: R, inverse: R) -> R {

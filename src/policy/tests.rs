@@ -32,6 +32,19 @@ pub struct Compare;
 /// rounds to the other side, takes a zero determinant, and reports NaN.
 #[derive(Clone, Copy)]
 pub struct SignBits;
+/// Sign bits as integers again, but with the decisions of [`Compare`], all of them.
+///
+/// For x that is not NaN, x >= 0 exactly if the sign bit of x + 0 is clear: adding +0 changes nothing
+/// but turns -0 into +0. And x <= y, y not being -0, exactly if the sign bit of y - x is clear: with
+/// subnormal numbers a difference is zero only of equals, that zero is then +0, and rounding changes
+/// no sign. Bits that must be clear are united by `or` and asked for once.
+///
+/// A NaN has either sign. It is left to one ordered comparison, which is false for it: that of u + v
+/// with `one`, which NaN in u or v reaches, and that of t with its upper bound. A share by itself, or
+/// what lies ahead, may let a NaN pass: the test of v, or the search, refuses it. Where two infinities
+/// are subtracted the determinant is infinite, and no form takes it for a hit.
+#[derive(Clone, Copy)]
+pub struct SignBitsSafe;
 /// Chirkov's `>=` and `<` of products, as published; other tests as [`Compare`].
 #[derive(Clone, Copy)]
 pub struct Products;
@@ -86,6 +99,34 @@ impl Tests for SignBits {
     #[inline(always)]
     fn inside<R: Real>(u: R, v: R, one: R) -> R::Mask {
         !(u.signed_by(v).sign_bit() | u.signed_by(one - u - v).sign_bit())
+    }
+}
+
+impl Tests for SignBitsSafe {
+    const NAME: &'static str = "sign-bits-safe";
+    const SIGN_BITS: bool = false;
+    const PRODUCTS: bool = false;
+    #[inline(always)]
+    fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask {
+        let above = t + t.zero();
+        let above = if S::FROM_ZERO { above } else { above - lower };
+        !above.sign_bit() & t.le(upper)
+    }
+    #[inline(always)]
+    fn ahead<R: Real>(t: R) -> R::Mask {
+        !(t + t.zero()).sign_bit()
+    }
+    #[inline(always)]
+    fn share<R: Real>(u: R, one: R) -> R::Mask {
+        !(u + u.zero()).either_sign(one - u).sign_bit()
+    }
+    #[inline(always)]
+    fn beside<R: Real>(u: R, v: R, one: R) -> R::Mask {
+        !(v + v.zero()).sign_bit() & (u + v).le(one)
+    }
+    #[inline(always)]
+    fn inside<R: Real>(u: R, v: R, one: R) -> R::Mask {
+        !(u + u.zero()).either_sign(v + v.zero()).sign_bit() & (u + v).le(one)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::number::{Element, Flushed, Vec3};
 use crate::oracle::Query;
 use crate::policy::{
     Between, Compare, Division, Early, First, Form, Fused, Last, Plain, Policy, Products, Ray,
-    Rounding, SignBits, Tests, Tuv, TwoSided,
+    Rounding, SignBits, SignBitsSafe, Tests, Tuv, TwoSided,
 };
 use std::sync::LazyLock;
 
@@ -83,6 +83,7 @@ fn precision<K: Offers, E: Element>(all: &mut Vec<Asked>) {
     }
     if K::SIGN_BITS {
         form::<K, E, Last, Plain, SignBits>(all, KEPT);
+        form::<K, E, Last, Plain, SignBitsSafe>(all, KEPT);
     }
     if K::PRODUCTS {
         form::<K, E, Last, Plain, Products>(all, KEPT);

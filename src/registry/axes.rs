@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::kernels::{Edges, Fallback};
-use crate::policy::{Division, Exit, Facing, Leading, Output, Policy, Rounding, Tests};
+use crate::policy::{Division, Exit, Facing, Leading, Output, Policy, Reciprocal, Rounding, Tests};
 
 use super::Offers;
 
@@ -18,7 +18,7 @@ pub struct Axes {
     pub drive: String,
     /// The instruction-set level.
     pub level: &'static str,
-    /// `early` or `full`.
+    /// `early`, `once` or `full`.
     pub exit: &'static str,
     /// `first` or `last`.
     pub division: &'static str,
@@ -42,8 +42,10 @@ pub struct Axes {
     pub stored: &'static str,
     /// Whether `stored` is the kernel's first or only form.
     pub stored_is_native: bool,
-    /// `compare`, `sign-bits` or `products`.
+    /// `compare`, `sign-bits`, `sign-bits-safe` or `products`.
     pub tests: &'static str,
+    /// `divide`, `estimate`, `newton` or `newton-2`.
+    pub reciprocal: &'static str,
     /// How edge functions keep their signs: `fallback`, `no-fallback` or `exact-sign`; empty for
     /// kernels that have no such choice.
     pub edges: &'static str,
@@ -54,7 +56,7 @@ pub struct Axes {
 }
 
 /// The columns of `list variants` behind `id` and `available`.
-pub const COLUMNS: [&str; 17] = [
+pub const COLUMNS: [&str; 18] = [
     "kernel",
     "precision",
     "drive",
@@ -70,6 +72,7 @@ pub const COLUMNS: [&str; 17] = [
     "query",
     "stored",
     "tests",
+    "reciprocal",
     "edges",
     "subnormals",
 ];
@@ -95,6 +98,7 @@ impl Axes {
             stored: "vertices",
             stored_is_native: true,
             tests: "compare",
+            reciprocal: "divide",
             edges: "",
             subnormals: "kept",
             copy: 0,
@@ -114,13 +118,14 @@ impl Axes {
             stored: K::ABOUT.stored,
             stored_is_native: K::NATIVE_RECORD,
             tests: P::Tests::NAME,
+            reciprocal: P::Reciprocal::NAME,
             edges: K::EDGES,
             ..Axes::usual(K::ABOUT.id, precision, level)
         }
     }
 
     /// The values of [`COLUMNS`].
-    pub fn values(&self) -> [&str; 17] {
+    pub fn values(&self) -> [&str; 18] {
         [
             self.kernel,
             self.precision,
@@ -137,6 +142,7 @@ impl Axes {
             self.query,
             self.stored,
             self.tests,
+            self.reciprocal,
             self.edges,
             self.subnormals,
         ]
@@ -154,6 +160,7 @@ impl Axes {
             ("leading", self.leading.into(), self.leading_is_native),
             ("priced", self.priced.into(), self.priced.is_empty()),
             ("query", self.query.into(), self.query == "ray"),
+            ("reciprocal", self.reciprocal.into(), self.reciprocal == "divide"),
             ("stored", self.stored.into(), self.stored_is_native),
             ("subnormals", self.subnormals.into(), self.subnormals == "kept"),
             ("tests", self.tests.into(), self.tests == "compare"),

@@ -6,8 +6,8 @@ use crate::level::{self, Level, On, enter};
 use crate::number::{Element, Real};
 use crate::policy::{
     Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, Full, Fused, Hit, Inside,
-    Last, Leading, Nearer, Output, Plain, Policy, Products, Ray, Rounding, SignBits, Surface, T,
-    Tests, Tuv, TwoSided,
+    Last, Leading, Nearer, Output, Plain, Policy, Products, Ray, Rounding, SignBits, SignBitsSafe,
+    Surface, T, Tests, Tuv, TwoSided,
 };
 
 use super::{
@@ -123,6 +123,8 @@ where
     if K::SIGN_BITS {
         form::<K, R, L, Early, Last, A, Tuv, TwoSided, SignBits, K::Native, 0>(v);
         form::<K, R, L, Full, Last, A, Tuv, TwoSided, SignBits, K::Native, 0>(v);
+        form::<K, R, L, Early, Last, A, Tuv, TwoSided, SignBitsSafe, K::Native, 0>(v);
+        form::<K, R, L, Full, Last, A, Tuv, TwoSided, SignBitsSafe, K::Native, 0>(v);
     }
     if K::PRODUCTS {
         form::<K, R, L, Early, Last, A, Tuv, TwoSided, Products, K::Native, 0>(v);
@@ -188,17 +190,29 @@ where
     C: Tests,
     Q: Leading,
 {
+    variant::<K, Form<E, D, A, O, F, C, Q, Between>, Form<E, D, A, O, F, C, Q, Nearer>, R, L, COPY>(
+        v,
+    );
+}
+
+/// One variant, of its policies over pairs and over all triangles, which differ in the span alone.
+pub fn variant<K, P, N, R, L, const COPY: usize>(v: &mut Vec<Variant>)
+where
+    K: Offers,
+    P: Policy,
+    N: Policy,
+    R: On<L>,
+    R::Element: On<L>,
+    L: Level,
+{
     let mut pairs: OptionalPairs<K, R::Element> = None;
     if R::LANES == 1 {
-        pairs = Some(enter::<L, Pairs<K, Form<E, D, A, O, F, C, Q, Between>, R::Element>, COPY>);
+        pairs = Some(enter::<L, Pairs<K, P, R::Element>, COPY>);
     }
-    let nearest = enter::<L, Nearest<K, Form<E, D, A, O, F, C, Q, Nearer>, R>, COPY>;
-    let axes = Axes {
-        drive: drive::<R>(),
-        copy: COPY,
-        ..Axes::of::<K, Form<E, D, A, O, F, C, Q>>(R::Element::NAME, L::NAME)
-    };
-    let shape = Shape { lanes: R::LANES, rays: R::LANES, outputs: numbers::<O>() };
+    let nearest = enter::<L, Nearest<K, N, R>, COPY>;
+    let axes =
+        Axes { drive: drive::<R>(), copy: COPY, ..Axes::of::<K, P>(R::Element::NAME, L::NAME) };
+    let shape = Shape { lanes: R::LANES, rays: R::LANES, outputs: numbers::<P::Output>() };
     push::<K, R::Element>(v, axes, level::available::<L>, shape, pairs, nearest);
 }
 

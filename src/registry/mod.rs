@@ -13,6 +13,7 @@ mod packets;
 mod points;
 mod registers;
 mod sharing;
+mod techniques;
 
 pub use arithmetic::{Unit, units};
 pub use asked::{Asked, asked};
@@ -55,10 +56,10 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// Whether a wrong decision is a fault. The sum of angles claims none: its wrong decisions are
-    /// counted, and it is timed.
+    /// Whether a wrong decision is a fault. The sum of angles claims none, nor does what computes with
+    /// estimates: their wrong decisions are counted, and they are timed.
     pub fn claims_exactness(&self) -> bool {
-        self.axes.kernel != "angle-sum"
+        self.axes.kernel != "angle-sum" && self.axes.reciprocal == "divide"
     }
 
     /// Whether it is a placebo of `other`.
@@ -81,6 +82,7 @@ pub fn variants() -> &'static [Variant] {
         packets::all(&mut variants);
         drives::all(&mut variants);
         sharing::all(&mut variants);
+        techniques::all(&mut variants);
         points::all(&mut variants);
         listings::all(&mut variants);
         variants

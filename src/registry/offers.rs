@@ -37,6 +37,8 @@ pub trait Offers: Kernel {
     const BUNDLES: bool = false;
     /// It stands for the others in memory layouts.
     const LAYOUTS: bool = false;
+    /// It stands for the others where reciprocals and branches are compared.
+    const TECHNIQUES: bool = false;
     /// It yields u and v.
     const UV: bool = true;
     /// Its record is the first, or only, that the kernel has.
@@ -47,6 +49,7 @@ impl Offers for MollerTrumbore {
     type Native = Inside;
     const GROUPS: bool = true;
     const BUNDLES: bool = true;
+    const TECHNIQUES: bool = true;
     const LAYOUTS: bool = true;
     const BOTH_ORDERS: bool = true;
     const SIGN_BITS: bool = true;
@@ -57,6 +60,7 @@ impl<S: Stored + IsVertices> Offers for KenslerShirley<S> {
     const GROUPS: bool = S::IS_PRECOMPUTED;
     const BUNDLES: bool = S::IS_VERTICES;
     const LAYOUTS: bool = S::IS_PRECOMPUTED;
+    const TECHNIQUES: bool = S::IS_PRECOMPUTED;
     const BOTH_ORDERS: bool = S::IS_VERTICES;
     const SIGN_BITS: bool = S::IS_VERTICES;
     const CULLS: bool = S::IS_VERTICES;
@@ -76,6 +80,7 @@ impl Offers for Wald {
     type Native = Distance;
     const GROUPS: bool = true;
     const BUNDLES: bool = true;
+    const TECHNIQUES: bool = true;
     const LAYOUTS: bool = true;
     const SIGN_BITS: bool = true;
 }
@@ -89,6 +94,7 @@ impl<S: Stored + IsVertices> Offers for Keidy<S> {
 impl Offers for PerpendicularPlanes {
     type Native = Distance;
     const GROUPS: bool = true;
+    const TECHNIQUES: bool = true;
     const LAYOUTS: bool = true;
     const SIGN_BITS: bool = true;
 }

@@ -325,6 +325,8 @@ columns! {
     edges: String,
     /// `kept`, or `flushed` to zero.
     subnormals: String,
+    /// `divide`, or `estimate`, `newton`, `newton-2`: how reciprocals are computed.
+    reciprocal: String,
     /// Bunches of rays: how far they lie apart, in radii of the scene.
     spread: Option<f64>,
     /// Packets that leave early: operations that their rays' own tests would do, over those that the

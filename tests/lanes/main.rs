@@ -4,6 +4,9 @@
 //! that sign, as printed, so where what they report is not finite their hit may differ, too; such
 //! lanes are counted, and none may be of the random family, whose triangles have an area and whose
 //! products do not overflow.
+//!
+//! Forms with estimated reciprocals are not held to the law: a scalar has no estimate, and those of two
+//! levels differ. What they are held to stands in `tests/techniques.rs`.
 
 mod packets;
 mod probe;
@@ -16,7 +19,8 @@ use ray_test::level::{self, Level, On, enter};
 use ray_test::number::{Element, Lanes, Real};
 use ray_test::policy::{
     Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused,
-    Last, Leading, Plain, Policy, Products, Rounding, SignBits, Span, Tests, Tuv, TwoSided,
+    Last, Leading, Once, Plain, Policy, Products, Rounding, SignBits, SignBitsSafe, Span, Tests,
+    Tuv, TwoSided,
 };
 use ray_test::registry::{KernelVisitor, Offers, Other, visit_kernels};
 
@@ -135,6 +139,11 @@ fn others<K: Offers, L: Level, R: Real<Element: Precision> + On<L>>(law: &mut La
     if K::SIGN_BITS {
         form::<K, L, R, Early, Last, Plain, TwoSided, SignBits, K::Native, FromZero>(law);
         form::<K, L, R, Full, Last, Plain, TwoSided, SignBits, K::Native, FromZero>(law);
+        form::<K, L, R, Early, Last, Plain, TwoSided, SignBitsSafe, K::Native, FromZero>(law);
+        form::<K, L, R, Full, Last, Plain, TwoSided, SignBitsSafe, K::Native, Between>(law);
+    }
+    if K::TECHNIQUES {
+        divisions::<K, L, R, Once, Plain, TwoSided, K::Native, FromZero>(law);
     }
     if K::PRODUCTS {
         form::<K, L, R, Early, Last, Plain, TwoSided, Products, K::Native, FromZero>(law);

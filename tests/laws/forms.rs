@@ -2,8 +2,9 @@
 
 use ray_test::kernels::{Corners, Kernel};
 use ray_test::policy::{
-    Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused,
-    Last, Leading, Plain, Policy, Products, Ray, Rounding, SignBits, Span, Tests, Tuv, TwoSided,
+    Between, Compare, Cull, Divide, Division, Early, Estimated, Exit, Facing, First, Form,
+    FromZero, Full, Fused, Last, Leading, Once, Plain, Policy, Products, Ray, Reciprocal, Rounding,
+    SignBits, SignBitsSafe, Span, Tests, Tuv, TwoSided,
 };
 use ray_test::registry::{KernelVisitor, Offers, Other, visit_kernels};
 
@@ -21,7 +22,7 @@ pub struct Group {
     pub kernel: &'static str,
     /// What is stored.
     pub stored: &'static str,
-    /// `compare`, `sign-bits` or `products`.
+    /// `compare`, `sign-bits`, `sign-bits-safe` or `products`.
     pub tests: &'static str,
     /// Back faces are missed.
     pub culls: bool,
@@ -57,6 +58,7 @@ fn kernel<K: Offers>(groups: &mut Vec<Group>) {
     }
     if K::SIGN_BITS {
         spans::<K, TwoSided, SignBits>(groups);
+        spans::<K, TwoSided, SignBitsSafe>(groups);
     }
     if K::PRODUCTS {
         spans::<K, TwoSided, Products>(groups);
@@ -91,6 +93,29 @@ fn exits<K: Offers, D: Division, F: Facing, C: Tests, S: Span>(forms: &mut Vec<(
     orders::<K, Early, D, Fused, F, C, S>(forms);
     orders::<K, Full, D, Plain, F, C, S>(forms);
     orders::<K, Full, D, Fused, F, C, S>(forms);
+    if K::TECHNIQUES {
+        orders::<K, Once, D, Plain, F, C, S>(forms);
+        // An exact number has no estimate; that of 1 / x is kept by Newton's steps.
+        one::<K, Early, D, Fused, F, C, S, Estimated<0>>(forms);
+        one::<K, Full, D, Fused, F, C, S, Estimated<1>>(forms);
+        one::<K, Full, D, Plain, F, C, S, Estimated<2>>(forms);
+    }
+}
+
+/// In the kernel's own order, with reciprocals `V`.
+fn one<K, E, D, A, F, C, S, V>(forms: &mut Vec<(String, Run)>)
+where
+    K: Offers,
+    E: Exit,
+    D: Division,
+    A: Rounding,
+    F: Facing,
+    C: Tests,
+    S: Span,
+    V: Reciprocal,
+{
+    let axes = format!("{}/{}/{}/{}/{}", E::NAME, D::NAME, A::NAME, K::Native::NAME, V::NAME);
+    forms.push((axes, run::<K, Form<E, D, A, Tuv, F, C, K::Native, S, V>>));
 }
 
 fn orders<K, E, D, A, F, C, S>(forms: &mut Vec<(String, Run)>)
@@ -104,7 +129,7 @@ where
     S: Span,
 {
     let axes = |order: &str| format!("{}/{}/{}/{order}", E::NAME, D::NAME, A::NAME);
-    forms.push((axes(K::Native::NAME), run::<K, Form<E, D, A, Tuv, F, C, K::Native, S>>));
+    one::<K, E, D, A, F, C, S, Divide>(forms);
     if K::BOTH_ORDERS {
         type Swapped<K> = <<K as Offers>::Native as Other>::Other;
         forms.push((axes(Swapped::<K>::NAME), run::<K, Form<E, D, A, Tuv, F, C, Swapped<K>, S>>));

@@ -1,0 +1,93 @@
+//! Techniques that are compared with their absence: estimated reciprocals, and one branch instead of
+//! one behind each test. A few kernels stand for all.
+
+use crate::level::{Level, On};
+use crate::policy::{
+    Between, Compare, Divide, Division, Early, Estimated, Exit, First, Form, Full, Fused, Last,
+    Nearer, Once, Plain, Reciprocal, Rounding, Tuv, TwoSided,
+};
+
+use super::forms::variant;
+use super::{KernelVisitor, Offers, Variant, registers, visit_kernels};
+
+/// Every kernel that stands for the others.
+pub fn all(v: &mut Vec<Variant>) {
+    visit_kernels(&mut Techniques(v));
+}
+
+struct Techniques<'a>(&'a mut Vec<Variant>);
+
+impl KernelVisitor for Techniques<'_> {
+    fn kernel<K: Offers>(&mut self) {
+        if K::TECHNIQUES {
+            kernel::<K>(self.0);
+        }
+    }
+    fn other_edges<K: Offers>(&mut self) {}
+}
+
+#[cfg(target_arch = "x86_64")]
+fn kernel<K: Offers>(v: &mut Vec<Variant>) {
+    use crate::level::{Avx2, Avx512, Sse2};
+    use registers::{Eight, Sixteen};
+
+    estimates::<K, Sixteen, Avx512>(v);
+    once::<K, f32, Sse2, Plain>(v);
+    once::<K, Sixteen, Avx512, Fused>(v);
+    if cfg!(not(test)) {
+        estimates::<K, Eight, Avx2>(v);
+        once::<K, Eight, Avx2, Fused>(v);
+    }
+}
+
+#[cfg(target_arch = "aarch64")]
+fn kernel<K: Offers>(v: &mut Vec<Variant>) {
+    estimates::<K, registers::Four, crate::level::Neon>(v);
+    once::<K, f32, crate::level::Neon, Plain>(v);
+    once::<K, registers::Four, crate::level::Neon, Fused>(v);
+}
+
+/// The estimate and one step: where a miss saves the division, and where all divide, last and first.
+/// Two steps where all divide, for levels whose estimate is coarse.
+fn estimates<K: Offers, R: On<L>, L: Level>(v: &mut Vec<Variant>)
+where
+    R::Element: On<L>,
+{
+    reciprocals::<K, R, L, Estimated<0>>(v);
+    reciprocals::<K, R, L, Estimated<1>>(v);
+    form::<K, R, L, Full, Last, Fused, Estimated<2>>(v);
+}
+
+fn reciprocals<K: Offers, R: On<L>, L: Level, V: Reciprocal>(v: &mut Vec<Variant>)
+where
+    R::Element: On<L>,
+{
+    form::<K, R, L, Early, Last, Fused, V>(v);
+    form::<K, R, L, Full, Last, Fused, V>(v);
+    form::<K, R, L, Full, First, Fused, V>(v);
+}
+
+/// All tests asked once.
+fn once<K: Offers, R: On<L>, L: Level, A: Rounding>(v: &mut Vec<Variant>)
+where
+    R::Element: On<L>,
+{
+    form::<K, R, L, Once, First, A, Divide>(v);
+    form::<K, R, L, Once, Last, A, Divide>(v);
+}
+
+/// A form with t, u and v.
+fn form<K, R, L, E, D, A, V>(v: &mut Vec<Variant>)
+where
+    K: Offers,
+    R: On<L>,
+    R::Element: On<L>,
+    L: Level,
+    E: Exit,
+    D: Division,
+    A: Rounding,
+    V: Reciprocal,
+{
+    type Of<K, E, D, A, S, V> = Form<E, D, A, Tuv, TwoSided, Compare, <K as Offers>::Native, S, V>;
+    variant::<K, Of<K, E, D, A, Between, V>, Of<K, E, D, A, Nearer, V>, R, L, 0>(v);
+}

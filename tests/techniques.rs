@@ -1,0 +1,186 @@
+//! What the techniques promise that no law covers: sign bits decide as comparisons do, estimated
+//! reciprocals are as exact as their levels say, and neither lets a number that is not finite out.
+
+use glam::Vec3;
+use ray_test::job::Answer;
+use ray_test::policy::{Between, Compare, FromZero, SignBitsSafe, Tests};
+use ray_test::registry::{Axes, Variant, find, variants};
+use ray_test::workload::{Kind, NearestSet, NearestSpec, Pcg, Ray, Triangle};
+
+/// Numbers at which a comparison can go wrong.
+const SPECIAL: [f32; 19] = [
+    0.0,
+    -0.0,
+    1e-45,
+    -1e-45,
+    f32::MIN_POSITIVE,
+    -f32::MIN_POSITIVE,
+    0.5,
+    -0.5,
+    0.99999994,
+    1.0,
+    -1.0,
+    1.0000001,
+    2.0,
+    f32::MAX,
+    -f32::MAX,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::NAN,
+    -f32::NAN,
+];
+
+/// What can stand for 1, or bound a range: finite.
+fn bounds() -> impl Iterator<Item = f32> {
+    SPECIAL.into_iter().filter(|x| x.is_finite())
+}
+
+#[test]
+fn safe_sign_bits_decide_as_comparisons_do() {
+    let mut hits = [0; 4];
+    for (one, v) in bounds().filter(|one| *one > 0.0).flat_map(|one| SPECIAL.map(|v| (one, v))) {
+        for u in SPECIAL {
+            let inside = Compare::inside(u, v, one);
+            assert_eq!(SignBitsSafe::inside(u, v, one), inside, "inside {u} {v} {one}");
+            let both = Compare::share(u, one) & Compare::beside(u, v, one);
+            let safe = SignBitsSafe::share(u, one) & SignBitsSafe::beside(u, v, one);
+            assert_eq!(safe, both, "share and beside {u} {v} {one}");
+            hits[0] += usize::from(inside);
+            hits[1] += usize::from(both);
+        }
+    }
+    for (lower, upper) in bounds().flat_map(|lower| bounds().map(move |upper| (lower, upper))) {
+        for t in SPECIAL {
+            let zero = Compare::range::<FromZero, f32>(t, lower, upper);
+            let safe = SignBitsSafe::range::<FromZero, f32>(t, 0.0, upper);
+            assert_eq!(safe, Compare::range::<FromZero, f32>(t, 0.0, upper), "{t} {upper}");
+            let between = Compare::range::<Between, f32>(t, lower, upper);
+            let safe = SignBitsSafe::range::<Between, f32>(t, lower, upper);
+            assert_eq!(safe, between, "{t} in {lower} {upper}");
+            hits[2] += usize::from(zero);
+            hits[3] += usize::from(between);
+        }
+    }
+    assert!(hits.iter().all(|hits| *hits > 100), "{hits:?}");
+    for t in SPECIAL.into_iter().filter(|t| !t.is_nan()) {
+        assert_eq!(SignBitsSafe::ahead(t), Compare::ahead(t), "{t} ahead");
+    }
+}
+
+/// Variants with estimated reciprocals, each with its own form that divides; and how many this
+/// processor has not got.
+fn estimated() -> (Vec<[&'static Variant; 2]>, usize) {
+    let all: Vec<&Variant> =
+        variants().iter().filter(|variant| variant.axes.reciprocal != "divide").collect();
+    let here = all.iter().filter(|variant| (variant.available)());
+    let pairs: Vec<[&Variant; 2]> = here
+        .map(|variant| {
+            let id = Axes { reciprocal: "divide", ..variant.axes.clone() }.id();
+            [*variant, find(&id).unwrap_or_else(|| panic!("{}: no {id}", variant.id()))]
+        })
+        .collect();
+    let missing = all.len() - pairs.len();
+    (pairs, missing)
+}
+
+fn answers(variant: &Variant, rays: &[Ray], triangles: &[Triangle]) -> Vec<Answer> {
+    let bind = variant.nearest.as_ref().expect("it runs on all triangles");
+    bind(rays, triangles).answers()
+}
+
+/// Largest relative error of a reciprocal: of the estimate, as the makers of the levels say, squared
+/// by each step; then the roundings of t, which are those of the reciprocal, of what it is multiplied
+/// by, and of both for the division that it is compared with. Products of these are below one more.
+fn bound(axes: &Axes) -> f64 {
+    let estimate = match axes.level {
+        "avx512" => 2f64.powi(-14),
+        "neon" => 2f64.powi(-8),
+        _ => 1.5 * 2f64.powi(-12),
+    };
+    let steps = ["estimate", "newton", "newton-2"].iter().position(|name| *name == axes.reciprocal);
+    let squared = (0..steps.expect("one of three")).fold(estimate, |error, _| error * error);
+    squared + 5.0 * 2f64.powi(-24)
+}
+
+#[test]
+fn distances_are_as_exact_as_the_estimate_and_its_steps() {
+    let (pairs, missing) = estimated();
+    let (mut compared, mut worst) = (0, std::collections::BTreeMap::new());
+    for seed in 0..24 {
+        // One triangle, so that a distance decides nothing.
+        let spec = NearestSpec { triangles: 1, rays: 128, kind: Kind::Random, spread: 0.0, seed };
+        let set = NearestSet::draw(spec).expect("a plain specification");
+        for [variant, dividing] in &pairs {
+            let found = answers(variant, &set.rays, &set.triangles);
+            let expected = answers(dividing, &set.rays, &set.triangles);
+            for (found, expected) in found.iter().zip(&expected) {
+                if variant.axes.division == "last" {
+                    assert_eq!(found.triangle, expected.triangle, "{}", variant.id());
+                }
+                if found.triangle.is_none() || expected.triangle.is_none() {
+                    continue;
+                }
+                let error = ((found.t - expected.t) / expected.t).abs();
+                assert!(error <= bound(&variant.axes), "{}: {error:e}", variant.id());
+                let key = (variant.axes.level, variant.axes.reciprocal);
+                let most = worst.entry(key).or_insert(0.0f64);
+                *most = most.max(error);
+                compared += 1;
+            }
+        }
+    }
+    println!("{compared} distances, {missing} forms of missing levels; largest errors {worst:?}");
+    assert!(compared > 100 * pairs.len(), "{compared} distances of {} forms", pairs.len());
+    // They are estimates: what divides in their place would be as exact as a division.
+    let coarse = |((_, name), error): (&(&str, &str), &f64)| *name != "estimate" || *error > 1e-6;
+    assert!(worst.iter().all(coarse), "{worst:?}");
+}
+
+/// A number of any size, or none at all.
+fn number(draw: &mut Pcg, scale: f32) -> f32 {
+    let unit = (draw.below(1 << 24) as f32 - 8_388_608.0) / 8_388_608.0;
+    match draw.below(40) {
+        0 => SPECIAL[draw.below(SPECIAL.len() as u64) as usize],
+        1..4 => unit * f32::MAX,
+        4..7 => unit * 1e-40,
+        _ => unit * scale,
+    }
+}
+
+fn vector(draw: &mut Pcg, scale: f32) -> Vec3 {
+    Vec3::from_array(std::array::from_fn(|_| number(draw, scale)))
+}
+
+#[test]
+fn nothing_that_is_not_finite_is_reported() {
+    let (pairs, missing) = estimated();
+    let mut draw = Pcg::new(11);
+    let mut hits = 0;
+    // Determinants are of the second to the sixth power of it, over the range of f32 and beyond.
+    for exponent in [-30, -19, -13, -7, 0, 6, 12, 18, 30].into_iter().flat_map(|e| [e; 24]) {
+        let scale = 10f32.powi(exponent);
+        let [a, b, c] = [(); 3].map(|()| vector(&mut draw, scale));
+        let rays: Vec<Ray> = (0..32)
+            .map(|i| {
+                let origin = vector(&mut draw, scale);
+                let aimed = (a + b + c) / 3.0 - origin;
+                let direction = if i % 2 == 0 { aimed } else { vector(&mut draw, scale) };
+                Ray { origin, direction, end: origin + direction, t_min: 0.0, t_max: f32::MAX }
+            })
+            .collect();
+        for [variant, _] in &pairs {
+            for answer in answers(variant, &rays, &[Triangle { a, b, c }]) {
+                let Answer { t, u, v, triangle, .. } = answer;
+                let finite = [t, u, v].iter().all(|x| x.is_finite());
+                assert!(
+                    triangle.is_none() || finite && t >= 0.0,
+                    "{}: t {t} u {u} v {v} of {a} {b} {c}",
+                    variant.id()
+                );
+                hits += usize::from(triangle.is_some());
+            }
+        }
+    }
+    println!("{hits} hits; {missing} forms of missing levels");
+    assert!(hits > 100 * pairs.len(), "{hits} hits of {} forms", pairs.len());
+}
