@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 27] = [
+const IDS: [&str; 31] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -18,6 +18,7 @@ const IDS: [&str; 27] = [
     "b-4.9",
     "bundles",
     "calls",
+    "common-origin",
     "groups",
     "h-10",
     "h-11",
@@ -30,7 +31,10 @@ const IDS: [&str; 27] = [
     "h-double",
     "lanes",
     "layouts",
+    "limit",
+    "packets",
     "padding",
+    "parallel",
     "points",
     "precision",
     "tests-form",

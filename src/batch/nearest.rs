@@ -114,10 +114,22 @@ fn walk<K: Kernel, P: Policy, R: Real, Y: Layout>(
             black_box(());
         }
         let met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
-        if let Ok(found) = K::test::<P, R>(ray, &aim, &met) {
-            best.update::<P>(ray, &found, index, K::normal::<P, R>(&met));
-        }
+        step::<K, P, R>(ray, &aim, &met, index, &mut best);
         index = index + one;
     }
     best
+}
+
+/// One triangle: the test, and its hit kept where it is the nearest.
+#[inline(always)]
+pub fn step<K: Kernel, P: Policy, R: Real>(
+    ray: &mut Ray<R>,
+    aim: &K::Aim<R>,
+    met: &K::Met<R>,
+    index: R,
+    best: &mut Best<R>,
+) {
+    if let Ok(found) = K::test::<P, R>(ray, aim, met) {
+        best.update::<P>(ray, &found, index, K::normal::<P, R>(met));
+    }
 }

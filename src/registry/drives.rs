@@ -150,5 +150,6 @@ pub fn push<K: Offers, P: Policy, E: Element, L: Level, Y: Layout>(
         nearest: Some(bind_nearest(shape, K::prepare::<E>, Storing::of::<Y>(), run)),
         rays,
         lanes: tests,
+        work: None,
     });
 }

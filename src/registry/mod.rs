@@ -13,16 +13,19 @@ mod packets;
 mod points;
 mod registers;
 mod sharing;
+mod streams;
 
 pub use arithmetic::{Unit, units};
 pub use asked::{Asked, asked};
 pub use axes::{Axes, COLUMNS};
 pub use every::{KernelVisitor, ListingVisitor, visit_kernels, visit_listings};
 pub use offers::{Offers, Other};
+pub use streams::{OneStream, streams};
 
 use std::sync::LazyLock;
 
 use crate::batch::{NearestJob, NearestLoop, PairsJob, Shape, Storing, widened};
+use crate::bound::Work;
 use crate::job::Job;
 use crate::kernels::{About, Corners};
 use crate::number::{Element, Vec3};
@@ -52,6 +55,8 @@ pub struct Variant {
     pub rays: usize,
     /// Tests that are done side by side: rays of a packet or a bundle, triangles of a group.
     pub lanes: usize,
+    /// The work of a test; counted of single rays and general packets that compute everything.
+    pub work: Option<fn() -> Work>,
 }
 
 impl Variant {
