@@ -31,7 +31,7 @@ pub use nearest::{Nearest, WIDEST, step};
 pub use nearest_job::{NearestJob, NearestLoop, Shape, Storing};
 pub use pairs::Pairs;
 pub use points::Points;
-pub use sharing::Sharing;
+pub use sharing::{Sharing, step_shared};
 pub use stream::Stream;
 
 use crate::number::{Element, Real, Vec3};

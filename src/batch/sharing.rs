@@ -94,8 +94,6 @@ where
     let aim = K::aim::<P, R>(ray);
     let one = R::splat(token, R::Element::ONE);
     let mut index = R::splat(token, R::Element::ZERO);
-    // No form with a common part reports surfaces.
-    let no_normal = Vec3([index; 3]);
     for numbers in numbers.chunks_exact(places::<K, R::Element>() * G::LANES) {
         let met = K::read::<P, G, _>(&Packed { token, numbers });
         let shared = <K as Shares<C>>::share::<P, G>(first, &met);
@@ -104,11 +102,30 @@ where
         }
         for lane in 0..G::LANES {
             let source = OfOne::<R> { token, numbers: &kept.0, lane, lanes: G::LANES };
-            if let Ok(found) = <K as Shares<C>>::test_shared::<P, R, _>(ray, &aim, &source) {
-                best.update::<P>(ray, &found, index, no_normal);
-            }
+            step_shared::<K, P, R, C, _>(ray, &aim, &source, index, &mut best);
             index = index + one;
         }
     }
     best
+}
+
+/// One triangle: the rest of the test, and its hit kept where it is the nearest. No form with a common
+/// part reports surfaces.
+#[inline(always)]
+pub fn step_shared<K, P, R, C, S>(
+    ray: &mut Ray<R>,
+    aim: &K::Aim<R>,
+    shared: &S,
+    index: R,
+    best: &mut Best<R>,
+) where
+    K: Shares<C>,
+    P: Policy,
+    R: Real,
+    C: Common,
+    S: Source<R>,
+{
+    if let Ok(found) = <K as Shares<C>>::test_shared::<P, R, S>(ray, aim, shared) {
+        best.update::<P>(ray, &found, index, Vec3([index.zero(); 3]));
+    }
 }

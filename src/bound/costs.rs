@@ -102,12 +102,14 @@ impl Costs {
 
     /// The least cycles of a test in packets of `rays` rays, `lanes` of which fill a register. What is
     /// done once for all of them are single numbers, of which the compiler can put as many into one
-    /// instruction as `narrow`, the lanes of the smallest register.
+    /// instruction as `narrow`, the lanes of the smallest register; or a register of them, if it is done
+    /// of several triangles.
     pub fn packet(&self, work: &Work, rays: usize, lanes: usize, narrow: usize) -> Option<Bound> {
         let registers = rays as f64 / lanes as f64;
         let amount = |kind: Kind| {
             let once = work.once_of(kind) as f64;
-            let once = if kind == Kind::Load { once } else { once / narrow as f64 };
+            let together = if work.in_groups { lanes } else { narrow };
+            let once = if kind == Kind::Load { once } else { once / together as f64 };
             work.each_of(kind) as f64 * registers + once
         };
         let bound = self.least(amount)?;
@@ -176,7 +178,7 @@ mod tests {
 
     /// add, multiply, fused, divide, compare, select, flip, load.
     fn work(each: [u64; 8], once: [u64; 8]) -> Work {
-        Work { each, once }
+        Work { each, once, in_groups: false }
     }
 
     fn close(bound: Option<Bound>, cycles: f64, resource: &str) {
@@ -218,6 +220,9 @@ mod tests {
         let fused = work([0, 0, 16, 0, 0, 0, 0, 0], [8, 0, 0, 0, 0, 0, 0, 0]);
         // Two registers of 16 rays: 32 fused and 8 additions, four to an instruction.
         close(two_units().packet(&fused, 32, 16, 4), (32.0 + 2.0) / 2.0 / 32.0, "add + fused");
+        let in_groups = Work { in_groups: true, ..fused };
+        let cycles = (32.0 + 0.5) / 2.0 / 32.0;
+        close(two_units().packet(&in_groups, 32, 16, 4), cycles, "add + fused");
         let loads = work([0, 0, 2, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0, 0, 12]);
         close(two_units().packet(&loads, 16, 16, 4), 6.0 / 16.0, "load");
     }

@@ -10,4 +10,4 @@ mod costs;
 mod work;
 
 pub use costs::{Bound, Costs};
-pub use work::{Work, work};
+pub use work::{Work, shared_work, work};

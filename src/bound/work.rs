@@ -1,7 +1,7 @@
 //! What a test leaves to be done, by kind of operation.
 
-use crate::batch::{Best, Kind, step};
-use crate::kernels::{Corners, Kernel, Whole};
+use crate::batch::{Best, Kind, step, step_shared};
+use crate::kernels::{Common, Corners, Kernel, Shares, Whole};
 use crate::number::{Needed, Noted, Place, Spread, Traced, TracedOne, Vec3, needed};
 use crate::policy::{Policy, Ray};
 
@@ -15,6 +15,8 @@ pub struct Work {
     pub each: Counts,
     /// Of a triangle, for all rays of a packet at once, and its stored numbers (loads).
     pub once: Counts,
+    /// Whether what is done once is done of as many triangles at a time as a register has lanes.
+    pub in_groups: bool,
 }
 
 impl Work {
@@ -41,7 +43,7 @@ impl Work {
                     Noted::Divide => Kind::Divide,
                     Noted::Select => Kind::Select,
                     Noted::Flip => Kind::Flip,
-                    Noted::OfTriangle(_) => Kind::Load,
+                    Noted::OfTriangle(_) | Noted::Kept => Kind::Load,
                     Noted::Compare(_) => {
                         compares += 1;
                         continue;
@@ -50,14 +52,14 @@ impl Work {
                         joins += 1;
                         continue;
                     }
-                    Noted::OfRay | Noted::OfBoth | Noted::Free(_) => continue,
+                    Noted::OfRay | Noted::OfGroup(_) | Noted::OfBoth | Noted::Free(_) => continue,
                 };
                 counts[kind as usize - 1] += 1;
             }
             counts[Kind::Compare as usize - 1] = joins.min(compares);
             counts
         };
-        Work { each: count(&needed.each), once: count(&needed.once) }
+        Work { each: count(&needed.each), once: count(&needed.once), in_groups: false }
     }
 }
 
@@ -69,39 +71,82 @@ const CORNERS: [[f64; 3]; 3] = [[-1.0, -0.5, 2.0], [3.0, -0.75, 2.25], [0.5, 4.0
 /// The work of a kernel in the form `P`, which computes everything, in the search for the nearest
 /// hit; `LANES` is 1 for single rays, above that for packets, which differ in how rays are picked from.
 pub fn work<K: Kernel, P: Policy, const LANES: usize>() -> Work {
-    let vector = |v: [f64; 3]| Vec3(v.map(<TracedOne as crate::number::Element>::from_f64));
-    let [a, b, c] = CORNERS.map(vector);
-    let record = K::prepare::<TracedOne>(&Corners { a, b, c });
     let needed = needed(|| {
-        let number = |(place, number): (usize, &TracedOne)| {
-            TracedOne::input(Noted::OfTriangle(place), crate::number::Element::to_f64(*number))
-        };
-        let stored: Vec<TracedOne> = record.as_ref().iter().enumerate().map(number).collect();
-        let of_ray = |value| Traced::<LANES>::input(Noted::OfRay, value);
-        let end = [0, 1, 2].map(|axis| ORIGIN[axis] + 4.0 * DIRECTION[axis]);
-        let mut ray = Ray {
-            origin: Vec3(ORIGIN.map(of_ray)),
-            direction: Vec3(DIRECTION.map(of_ray)),
-            end: Vec3(end.map(of_ray)),
-            t_min: of_ray(0.0),
-            t_max: Traced::input(Noted::OfBoth, 1e6),
-        };
-        let index = Traced::input(Noted::OfBoth, 1.0);
+        let number = |(place, value)| TracedOne::input(Noted::OfTriangle(place), value);
+        let stored: Vec<TracedOne> = record::<K>().into_iter().enumerate().map(number).collect();
+        let mut ray = ray::<LANES>();
         let mut best = Best::nothing((), &ray);
         let aim = K::aim::<P, Traced<LANES>>(&ray);
         let met = Spread::spread((), K::read::<P, TracedOne, _>(&Whole(&stored)));
-        step::<K, P, Traced<LANES>>(&mut ray, &aim, &met, index, &mut best);
-        let (hit, numbers) = best.carried();
-        let places = numbers.into_iter().map(Traced::place);
-        places.chain([hit.place()]).collect::<Vec<Place>>()
+        step::<K, P, Traced<LANES>>(&mut ray, &aim, &met, index(), &mut best);
+        results(&best)
     });
     Work::of(&needed)
+}
+
+/// [`work`] where the rays of a packet have something in common.
+pub fn shared_work<K: Shares<C>, P: Policy, C: Common>() -> Work {
+    let needed = needed(|| {
+        let number = |(place, value)| Traced::<2>::input(Noted::OfGroup(place), value);
+        let stored: Vec<Traced<2>> = record::<K>().into_iter().enumerate().map(number).collect();
+        let mut ray = ray::<2>();
+        let mut best = Best::nothing((), &ray);
+        let aim = K::aim::<P, Traced<2>>(&ray);
+        let met = K::read::<P, Traced<2>, _>(&Whole(&stored));
+        let shared = <K as Shares<C>>::share::<P, Traced<2>>(&common_ray(stored.len()), &met);
+        let shared: Vec<Traced<2>> = shared.as_ref().iter().map(|number| number.kept()).collect();
+        step_shared::<K, P, _, C, _>(&mut ray, &aim, &Whole(&shared), index(), &mut best);
+        results(&best)
+    });
+    Work { in_groups: true, ..Work::of(&needed) }
+}
+
+/// What is stored of the triangle.
+fn record<K: Kernel>() -> Vec<f64> {
+    let [a, b, c] = CORNERS.map(Vec3);
+    K::prepare::<f64>(&Corners { a, b, c }).as_ref().to_vec()
+}
+
+/// The ray, whose numbers are made by `number`; its bound is the search's.
+fn ray_of<const LANES: usize>(mut number: impl FnMut(f64) -> Traced<LANES>) -> Ray<Traced<LANES>> {
+    let end = [0, 1, 2].map(|axis| ORIGIN[axis] + 4.0 * DIRECTION[axis]);
+    Ray {
+        origin: Vec3(ORIGIN.map(&mut number)),
+        direction: Vec3(DIRECTION.map(&mut number)),
+        end: Vec3(end.map(&mut number)),
+        t_min: number(0.0),
+        t_max: Traced::input(Noted::OfBoth, 1e6),
+    }
+}
+
+/// A ray of a packet.
+fn ray<const LANES: usize>() -> Ray<Traced<LANES>> {
+    ray_of(|value| Traced::input(Noted::OfRay, value))
+}
+
+/// The ray that stands for all of a packet; its numbers are told from others by their places.
+fn common_ray(mut place: usize) -> Ray<Traced<2>> {
+    ray_of(|value| {
+        place += 1;
+        Traced::input(Noted::OfGroup(place), value)
+    })
+}
+
+/// The number of the triangle, which counts in every lane.
+fn index<const LANES: usize>() -> Traced<LANES> {
+    Traced::input(Noted::OfBoth, 1.0)
+}
+
+/// What goes from test to test.
+fn results<const LANES: usize>(best: &Best<Traced<LANES>>) -> Vec<Place> {
+    let (hit, numbers) = best.carried();
+    numbers.into_iter().map(Traced::place).chain([hit.place()]).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernels::{MollerTrumbore, PerpendicularPlanes, Wald};
+    use crate::kernels::{CommonOrigin, MollerTrumbore, Parallel, PerpendicularPlanes, Wald};
     use crate::policy::{
         Compare, First, Form, Full, Fused, Inside, Last, Nearer, Plain, Surface, Tuv, TwoSided,
     };
@@ -150,6 +195,26 @@ mod tests {
     fn wald_divided_last_is_what_its_header_says() {
         let work = work::<Wald, Of<Last, Plain>, 2>();
         assert_eq!(each(&work), [12, 17, 0, 1, 6, 4, 2]);
+    }
+
+    /// Of the planes' 15 x (1 of them alone, 14 fused), n . o + d (3 fused) is that of a common origin, and
+    /// n . direction (1 and 2 fused), with the reciprocal, that of a common direction.
+    #[test]
+    fn what_rays_share_is_done_once() {
+        type Planes = PerpendicularPlanes;
+        let general = super::work::<Planes, Of<Last, Fused>, 2>();
+        let origin = shared_work::<Planes, Of<Last, Fused>, CommonOrigin>();
+        let parallel = shared_work::<Planes, Of<Last, Fused>, Parallel>();
+        assert!(origin.in_groups && parallel.in_groups && !general.in_groups);
+        let fused = |work: &Work| [work.each_of(Kind::Fused), work.once_of(Kind::Fused)];
+        assert_eq!(
+            [fused(&general), fused(&origin), fused(&parallel)],
+            [[14, 0], [11, 3], [12, 2]]
+        );
+        let divisions = |work: &Work| [work.each_of(Kind::Divide), work.once_of(Kind::Divide)];
+        assert_eq!([divisions(&origin), divisions(&parallel)], [[1, 0], [0, 1]]);
+        assert_eq!([general.once_of(Kind::Load), origin.once_of(Kind::Load)], [12, 12]);
+        assert_eq!(parallel.once_of(Kind::Load), 14);
     }
 
     /// A surface keeps three numbers of the normal as well, and they are loaded.

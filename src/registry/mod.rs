@@ -55,7 +55,8 @@ pub struct Variant {
     pub rays: usize,
     /// Tests that are done side by side: rays of a packet or a bundle, triangles of a group.
     pub lanes: usize,
-    /// The work of a test; counted of single rays and general packets that compute everything.
+    /// The work of a test; counted of single rays and packets that compute everything, in layout `aos` or
+    /// with something in common.
     pub work: Option<fn() -> Work>,
 }
 

@@ -10,6 +10,10 @@ pub enum Noted {
     OfRay,
     /// A number stored of a triangle, by its place.
     OfTriangle(usize),
+    /// A number stored of several triangles at once, one to a lane, or that rays have in common.
+    OfGroup(usize),
+    /// A number that was kept of a triangle, put into every lane.
+    Kept,
     /// A number that changes in every test, and that a ray has for itself.
     OfBoth,
     /// An addition or subtraction.
@@ -70,7 +74,7 @@ pub fn note(noted: Noted, operands: [Option<Place>; 3]) -> Place {
         }
         let (mut ray, mut triangle) = match noted {
             Noted::OfRay => (true, false),
-            Noted::OfTriangle(_) => (false, true),
+            Noted::OfTriangle(_) | Noted::OfGroup(_) => (false, true),
             Noted::OfBoth => (true, true),
             _ => (false, false),
         };

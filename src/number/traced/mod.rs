@@ -24,6 +24,11 @@ impl<const LANES: usize> Traced<LANES> {
     pub fn input(noted: Noted, value: f64) -> Self {
         Traced(TracedOne::input(noted, value))
     }
+    /// The same number, kept in memory and put into every lane from there.
+    pub fn kept(self) -> Self {
+        let place = note(Noted::Kept, [Some(self.place()), None, None]);
+        Traced(TracedOne { place, ..self.0 })
+    }
     /// Where it stands.
     pub fn place(self) -> Place {
         self.0.place
