@@ -1,6 +1,7 @@
 # Judges the code of batch functions. Input: `objdump -d -C --no-show-raw-insn -M intel` of a
 # program with v0 symbol names. Rules and limits stand in `limits` and `judge`; -v facts=1 prints a
-# line of findings per function instead of judging. POSIX awk.
+# line of findings per function instead of judging. Streams are judged in check_codegen_streams.awk.
+# POSIX awk.
 
 BEGIN { FS = "\t"; limits() }
 
@@ -29,6 +30,9 @@ function begin(line,    name, rest) {
     gsub(/>.*/, "", form); split(form, axis, /, /)
     full = axis[1] == "Full"; once = axis[1] == "Once"; exit_ = full ? "full" : "early"
     divides_first = axis[2] == "First"; output = axis[4]
+    # The mix of a stream: a digit of 16 for each of its twelve places.
+    mix = 0
+    if (drive == "Stream" && match(rest, />, [0-9]+/)) mix = substr(rest, RSTART + 3, RLENGTH - 3)
     packet = rest ~ /Lanes</
     wide = !packet ? "" : rest ~ /f32x16|f64x8/ ? "zmm" : rest ~ /f32x8|f64x4/ ? "ymm" : "xmm"
     copy = rest; sub(/^.*, /, "", copy); sub(/: usize/, "", copy)
@@ -103,6 +107,7 @@ function inner_loop(    l, i, best, score, most) {
         score = 0
         for (i = 1; i <= n; i++) if ((l, i) in member) {
             if (op[i] ~ /^v?(mul|div|fn?m(add|sub)[0-9]*)(ps|pd|ss|sd)$/) score++
+            else if (drive == "Stream" && kind_of(op[i]) != "") score++
             if ((i in heads) && heads[i] != l) { score = 0; break }
         }
         if (score > most) { most = score; best = l }
@@ -142,6 +147,7 @@ function classify(i,    t) {
     if (op[i] ~ /^v?(mul|add|sub|div|fn?m(add|sub)[0-9]*)(ps|pd)$/)
         note(t ~ /zmm/ ? "zmm" : t ~ /ymm/ ? "ymm" : "xmm", i)
     if (t ~ /^v?mov[a-z0-9]* +[XYZ]MMWORD PTR \[rsp[^\]]*\],[xyz]mm/) note("spills", i)
+    if (drive == "Stream" && kind_of(op[i]) != "" && (wide == "xmm" || t ~ wide)) note(kind_of(op[i]), i)
 }
 
 function print_facts(    k, line, names) {
@@ -169,6 +175,7 @@ function judge() {
     rule("tables", !found["tables"], "tables", "a jump table")
     if (kernel == "AngleSum") { skip("angle-sum: arccos is a call of libm"); return }
     rule("calls", !found["calls"], "calls", "calls in a loop")
+    if (drive == "Stream") { judge_stream(); return }
     if (packet) judge_packet(); else judge_single()
 }
 

@@ -27,7 +27,7 @@ build() {
         cargo build --quiet --release --manifest-path "$root/Cargo.toml" --bin ray_test
 }
 
-judge() { awk -f "$here/check_codegen.awk"; }
+judge() { awk -f "$here/check_codegen.awk" -f "$here/check_codegen_streams.awk"; }
 
 if [ "${1:-}" = --self-test ]; then
     # shellcheck source=scripts/check_codegen_test.sh

@@ -4,6 +4,8 @@ form='ray_test::policy::Form<ray_test::policy::axes::Full, ray_test::policy::sca
 kernel='ray_test::kernels::wald::Wald'
 lanes='ray_test::number::Lanes<fearless_simd::Avx512, fearless_simd::f32x16<fearless_simd::Avx512>>'
 packet="<<fearless_simd::Avx512 as fearless_simd::Simd>::vectorize::vectorize_avx512::<ray_test::level::enter<ray_test::level::Avx512, ray_test::batch::Nearest<$kernel, $form, $lanes>, 0: usize>::{closure#0}, ray_test::job::Tally>>:"
+# Six fused and six flips in turn, as 0x373737373737.
+stream="<<fearless_simd::Avx512 as fearless_simd::Simd>::vectorize::vectorize_avx512::<ray_test::level::enter<ray_test::level::Avx512, ray_test::batch::stream::Stream<$lanes, 60710289094455: u64>, 0: usize>::{closure#0}, u64>>:"
 single="<ray_test::level::enter::<ray_test::level::Sse2, ray_test::batch::Nearest<$kernel, $form, f32>, 0>>:"
 placebo="<ray_test::level::enter::<ray_test::level::Sse2, ray_test::batch::DRIVE<$kernel, $form, f32>, COPY>>:"
 
@@ -72,6 +74,15 @@ expect jumps "$single" "$good" 'je     1018 <x>' "$good" "$loop" ret
 expect jumps "${single/axes::Full/exit::Once}" "$good" 'je     1018 <x>' "$good" 'je     1028 <x>' "$good" \
     'je     1038 <x>' "$good" "$loop" ret
 expect loop "$single" "$good" ret
+flip='vpxord zmm0,zmm0,zmm1'
+fused='vfmadd213ps zmm0,zmm1,zmm2'
+pairs=("$flip" "$fused" "$flip" "$fused" "$flip" "$fused" "$flip" "$fused" "$flip" "$fused")
+expect none "$stream" "${pairs[@]}" "$flip" "$fused" "$loop" ret
+expect mix "$stream" "${pairs[@]}" "$flip" "$loop" ret
+expect mix "$stream" "${pairs[@]}" "$fused" "$loop" ret
+expect mix "$stream" "${pairs[@]}" "$flip" "$fused" "$fused" "$loop" ret
+expect mix "$stream" "${pairs[@]}" "$flip" "${fused//zmm/ymm}" "$loop" ret
+expect spills "$stream" "${pairs[@]}" "$flip" "$fused" 'vmovups ZMMWORD PTR [rsp+0x40],zmm3' "$loop" ret
 placebo_extra[2]='divss  xmm0,xmm2'
 expect placebos "$packet" "$wide" "$loop" ret
 echo "self-test: $tests cases"

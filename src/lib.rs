@@ -76,6 +76,8 @@ pub mod batch;
 
 pub mod job;
 
+pub mod bound;
+
 pub mod registry;
 
 pub mod counting;

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 33] = [
+const IDS: [&str; 34] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -33,6 +33,7 @@ const IDS: [&str; 33] = [
     "h-double",
     "lanes",
     "layouts",
+    "limit",
     "packets",
     "padding",
     "parallel",

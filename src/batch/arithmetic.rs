@@ -7,6 +7,8 @@
 use std::hint::black_box;
 use std::marker::PhantomData;
 
+use super::kind::PLACES;
+use super::stream::Stream;
 use crate::job::{Answer, Block, Job, Tally};
 use crate::level::{Batch, Level, On, enter};
 use crate::number::{Element, Real};
@@ -45,16 +47,23 @@ impl<L: Level, R: Real + On<L>> Batch<L> for Arithmetic<R> {
     }
 }
 
-/// The loop as a job: an item is one multiplication and addition of every sum.
+/// A loop of arithmetic as a job: an item is one multiplication and addition of every sum.
 pub struct ArithmeticJob {
-    lanes: u64,
+    operations: u64,
     run: fn(usize) -> u64,
 }
 
 impl ArithmeticJob {
     /// The loop of a level, over a number that it has natively.
     pub fn new<L: Level, R: Real + On<L>>() -> Self {
-        ArithmeticJob { lanes: R::LANES as u64, run: enter::<L, Arithmetic<R>, 0> }
+        let operations = R::LANES as u64 * OPERATIONS;
+        ArithmeticJob { operations, run: enter::<L, Arithmetic<R>, 0> }
+    }
+
+    /// The stream of a mix of operations; an item is one walk through its loop.
+    pub fn stream<L: Level, R: Real + On<L>, const MIX: u64>() -> Self {
+        let operations = (R::LANES * PLACES) as u64;
+        ArithmeticJob { operations, run: enter::<L, Stream<R, MIX>, 0> }
     }
 }
 
@@ -64,10 +73,10 @@ impl Job for ArithmeticJob {
     }
 
     fn tests_per_item(&self) -> u64 {
-        self.lanes * OPERATIONS
+        self.operations
     }
 
-    /// Sums stay at 1, so what comes out does not depend on how often they were added to: the
+    /// Numbers stay at 1, so what comes out does not depend on how often they were computed with: the
     /// tally counts calls as hits, and the bits of twelve ones for each.
     fn run(&mut self, block: Block) -> Tally {
         let mut tally = Tally::default();

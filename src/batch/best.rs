@@ -66,6 +66,12 @@ impl<R: Real> Best<R> {
         ray.t_max = self.t;
     }
 
+    /// What goes from test to test: whether there is a hit, and its triangle, t, u, v and normal.
+    pub fn carried(&self) -> (R::Mask, [R; 7]) {
+        let [x, y, z] = self.normal.0;
+        (self.hit, [self.triangle, self.t, self.u, self.v, x, y, z])
+    }
+
     /// The answer: the numbers of [`ANSWER_NUMBERS`].
     #[inline(always)]
     pub fn rows<P: Policy>(&self, ray: &Ray<R>) -> [R; ANSWER_NUMBERS] {

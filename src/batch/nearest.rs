@@ -117,12 +117,12 @@ fn walk<K: Kernel, P: Policy, R: Real, Y: Layout>(
             let following = Spread::spread(token, K::read::<P, R::Element, _>(&next));
             let following_begun = K::begin::<P, R>(ray, &aim, &following);
             met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
-            end::<K, P, R>(&mut best, ray, &aim, &met, begun, index);
+            end::<K, P, R>(ray, &aim, (&met, begun), index, &mut best);
             (triangle, begun) = (next, following_begun);
             index = index + one;
         }
         met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
-        end::<K, P, R>(&mut best, ray, &aim, &met, begun, index);
+        end::<K, P, R>(ray, &aim, (&met, begun), index, &mut best);
         return best;
     }
     for triangle in triangles {
@@ -131,25 +131,37 @@ fn walk<K: Kernel, P: Policy, R: Real, Y: Layout>(
             black_box(());
         }
         let met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
-        let begun = K::begin::<P, R>(ray, &aim, &met);
-        end::<K, P, R>(&mut best, ray, &aim, &met, begun, index);
+        step::<K, P, R>(ray, &aim, &met, index, &mut best);
         index = index + one;
     }
     best
 }
 
-/// The second part of a test, and what it is good for.
+/// One triangle: the test, and its hit kept where it is the nearest.
 #[inline(always)]
-fn end<K: Kernel, P: Policy, R: Real>(
-    best: &mut Best<R>,
+pub fn step<K: Kernel, P: Policy, R: Real>(
     ray: &mut Ray<R>,
     aim: &K::Aim<R>,
     met: &K::Met<R>,
-    begun: Result<K::Begun<R>, Miss>,
     index: R,
+    best: &mut Best<R>,
 ) {
-    let Ok(begun) = begun else { return };
-    if let Ok(found) = K::end::<P, R>(ray, aim, met, &begun) {
+    let begun = K::begin::<P, R>(ray, aim, met);
+    end::<K, P, R>(ray, aim, (met, begun), index, best);
+}
+
+/// The second part of [`step`].
+#[inline(always)]
+fn end<K: Kernel, P: Policy, R: Real>(
+    ray: &mut Ray<R>,
+    aim: &K::Aim<R>,
+    (met, begun): (&K::Met<R>, Result<K::Begun<R>, Miss>),
+    index: R,
+    best: &mut Best<R>,
+) {
+    if let Ok(begun) = begun
+        && let Ok(found) = K::end::<P, R>(ray, aim, met, &begun)
+    {
         best.update::<P>(ray, &found, index, K::normal::<P, R>(met));
     }
 }

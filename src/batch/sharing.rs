@@ -10,7 +10,7 @@ use super::nearest::{RAY_NUMBERS, Scene, align_frame, load, places};
 use crate::kernels::{Common, MOST_SHARED, Shares, Source};
 use crate::level::{Batch, Level, On};
 use crate::number::{Element, Real, Vec3};
-use crate::policy::{Policy, Ray};
+use crate::policy::{Miss, Policy, Ray};
 
 /// One loop over packets of rays `R` and groups of triangles, one to a lane of `G`, whose layout is
 /// that of [`super::Group`]. Rays of a packet must have in common what `C` says.
@@ -94,8 +94,6 @@ where
     let aim = K::aim::<P, R>(ray);
     let one = R::splat(token, R::Element::ONE);
     let mut index = R::splat(token, R::Element::ZERO);
-    // No form with a common part reports surfaces.
-    let no_normal = Vec3([index; 3]);
     for numbers in numbers.chunks_exact(places::<K, R::Element>() * G::LANES) {
         let met = K::read::<P, G, _>(&Packed { token, numbers });
         let shared = K::share::<P, G>(first, &met);
@@ -107,14 +105,52 @@ where
         let mut begun = K::begin_shared::<P, R, _>(ray, &aim, &of(0));
         for lane in 1..=G::LANES {
             let next = K::begin_shared::<P, R, _>(ray, &aim, &of(lane));
-            if let Ok(begun) = begun
-                && let Ok(found) = K::end_shared::<P, R, _>(ray, &aim, &of(lane - 1), &begun)
-            {
-                best.update::<P>(ray, &found, index, no_normal);
-            }
+            end::<K, P, R, C, _>(ray, &aim, (&of(lane - 1), begun), index, &mut best);
             begun = next;
             index = index + one;
         }
     }
     best
+}
+
+/// One triangle: the rest of the test, and its hit kept where it is the nearest. No form with a common
+/// part reports surfaces.
+#[inline(always)]
+pub fn step_shared<K, P, R, C, S>(
+    ray: &mut Ray<R>,
+    aim: &K::Aim<R>,
+    shared: &S,
+    index: R,
+    best: &mut Best<R>,
+) where
+    K: Shares<C>,
+    P: Policy,
+    R: Real,
+    C: Common,
+    S: Source<R>,
+{
+    let begun = K::begin_shared::<P, R, S>(ray, aim, shared);
+    end::<K, P, R, C, S>(ray, aim, (shared, begun), index, best);
+}
+
+/// The second part of [`step_shared`].
+#[inline(always)]
+fn end<K, P, R, C, S>(
+    ray: &mut Ray<R>,
+    aim: &K::Aim<R>,
+    (shared, begun): (&S, Result<K::Begun<R>, Miss>),
+    index: R,
+    best: &mut Best<R>,
+) where
+    K: Shares<C>,
+    P: Policy,
+    R: Real,
+    C: Common,
+    S: Source<R>,
+{
+    if let Ok(begun) = begun
+        && let Ok(found) = K::end_shared::<P, R, S>(ray, aim, shared, &begun)
+    {
+        best.update::<P>(ray, &found, index, Vec3([index.zero(); 3]));
+    }
 }

@@ -37,6 +37,9 @@ pub struct Experiment {
     /// Id of the variant that ratios refer to.
     #[serde(default = "reference")]
     pub reference: String,
+    /// Whether rows say how many cycles their operations need at least; nearest hits only.
+    #[serde(default)]
+    pub bounds: bool,
     /// What is drawn.
     #[serde(default)]
     pub figure: Vec<Figure>,
@@ -86,6 +89,13 @@ impl Experiment {
         }
         if self.variants.is_empty() && self.workload.has_variants() {
             return Err("variants: at least one regular expression is needed".to_owned());
+        }
+        if self.bounds && !matches!(self.workload, Workload::Nearest(_)) {
+            return Err(
+                "bounds: true is not allowed; allowed: true where workload.kind is nearest, \
+                        false elsewhere"
+                    .to_owned(),
+            );
         }
         self.workload.validate(self.seed)?;
         let published = Published::embedded().map_err(|error| error.to_string())?;

@@ -6,6 +6,7 @@
 
 mod arithmetic;
 mod bench;
+mod bounds;
 mod calls;
 pub mod cells;
 mod codes;

@@ -1,5 +1,6 @@
 //! What an experiment will do, and how long it will take, before it does it.
 
+use super::bounds;
 use super::calls::CALL_CONTROLS;
 use super::cells::{CONTROLS, MOST_SUBJECTS};
 use super::codes::USUAL_EXITS;
@@ -133,6 +134,9 @@ impl Plan {
         // Single rays are measured three times: in a loop, cold, and each after the other.
         let calls = 2 * in_groups(singles, CALL_CONTROLS, Order::Fixed);
         let of_cell = |order: Order| in_groups(ready, CONTROLS, order_of(order)) + calls;
-        self.cells().into_iter().map(|(_, order)| of_cell(order)).sum()
+        let of_streams = |streams: usize| rounds(streams + CONTROLS, Order::Fixed);
+        let bounds = if self.experiment.bounds { bounds::group_sizes() } else { Vec::new() };
+        let cells: usize = self.cells().into_iter().map(|(_, order)| of_cell(order)).sum();
+        cells + bounds.into_iter().map(of_streams).sum::<usize>()
     }
 }

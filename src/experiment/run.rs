@@ -9,7 +9,7 @@ use super::plan::Plan;
 use super::rows::put_percent_slower;
 use super::scene::Scene;
 use super::workload::Workload;
-use super::{arithmetic, codes, counts, errors, points, prices, stiff, useful};
+use super::{arithmetic, bounds, codes, counts, errors, points, prices, stiff, useful};
 use crate::measure::{Order, ProtocolError};
 use crate::table::Row;
 use crate::workload::WorkloadError;
@@ -63,6 +63,7 @@ pub fn run(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, RunError> {
 fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
     let (id, seed) = (&plan.experiment.id, plan.experiment.seed);
     let mut outcome = Outcome::default();
+    let streams = if plan.experiment.bounds { bounds::run(id, seed, bench)? } else { Vec::new() };
     match &plan.experiment.workload {
         // Counted, not measured: nothing that needs to be kept.
         Workload::Counts => outcome.rows = counts::rows(id, seed)?,
@@ -88,6 +89,8 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
             }
         }
     }
+    bounds::put(&mut outcome.rows, &plan.variants, &streams);
+    outcome.rows.extend(streams);
     finish(plan, &mut outcome.rows);
     if let Workload::Pairs(pairs) = &plan.experiment.workload {
         let (variants, cancel) = (&plan.variants, bench.cancel);

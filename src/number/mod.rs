@@ -6,6 +6,7 @@
 //! | [`Lanes`] | packets: one lane a ray, in the registers of an instruction-set level |
 //! | [`Twice`] | packets of two registers, or of four |
 //! | [`Counted`] | the operations that a test executes, by kind |
+//! | [`Traced`] | the operations that an optimiser leaves of a test |
 //! | [`Flushed`] | what a processor computes that flushes subnormal numbers to zero |
 //! | `Exact` (tests) | rational numbers: the algebra without rounding |
 //!
@@ -19,6 +20,7 @@ mod lanes;
 mod precision;
 mod scalar;
 mod spread;
+mod traced;
 mod twice;
 mod vector;
 
@@ -29,6 +31,7 @@ pub use lanes::{LaneMask, Lanes};
 pub use precision::{Precision, exponent, power_of_two};
 pub use spread::Spread;
 pub(crate) use spread::spread;
+pub use traced::{Needed, Noted, Place, Traced, TracedMask, TracedOne, needed};
 pub use twice::Twice;
 pub use vector::Vec3;
 

@@ -139,9 +139,18 @@ pub fn push<K: Offers, P: Policy, E: Element, L: Level, Y: Layout>(
     [lanes, rays, tests]: [usize; 3],
     run: NearestLoop<E>,
 ) {
+    v.push(driven::<K, P, E, L, Y>(drive, [lanes, rays, tests], run));
+}
+
+/// That variant, its work not counted.
+pub fn driven<K: Offers, P: Policy, E: Element, L: Level, Y: Layout>(
+    drive: String,
+    [lanes, rays, tests]: [usize; 3],
+    run: NearestLoop<E>,
+) -> Variant {
     let axes = Axes { drive, layout: Y::NAME, ..Axes::of::<K, P>(E::NAME, L::NAME) };
     let shape = Shape { lanes, rays, outputs: numbers::<P::Output>() };
-    v.push(Variant {
+    Variant {
         axes,
         about: &K::ABOUT,
         bytes_per_triangle: size_of::<K::Record<E>>(),
@@ -150,5 +159,6 @@ pub fn push<K: Offers, P: Policy, E: Element, L: Level, Y: Layout>(
         nearest: Some(bind_nearest(shape, K::prepare::<E>, Storing::of::<Y>(), run)),
         rays,
         lanes: tests,
-    });
+        work: None,
+    }
 }

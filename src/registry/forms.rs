@@ -1,6 +1,7 @@
 //! The product of the axes, readable from top to bottom: one small generic function per axis.
 
 use crate::batch::{Aos, Nearest, NearestLoop, Pairs, PairsLoop, Shape, Storing};
+use crate::bound::{Work, work};
 use crate::kernels::{Kernel, MollerTrumbore};
 use crate::level::{self, Level, On, enter};
 use crate::number::{Element, Real};
@@ -213,7 +214,18 @@ where
     let axes =
         Axes { drive: drive::<R>(), copy: COPY, ..Axes::of::<K, P>(R::Element::NAME, L::NAME) };
     let shape = Shape { lanes: R::LANES, rays: R::LANES, outputs: numbers::<P::Output>() };
-    push::<K, R::Element>(v, axes, level::available::<L>, shape, pairs, nearest);
+    let work = counted::<K, N>(R::LANES);
+    let variant = timed::<K, R::Element>(axes, level::available::<L>, shape, pairs, nearest);
+    v.push(Variant { work, ..variant });
+}
+
+/// Counts the work of a form, where it does all of it always.
+fn counted<K: Offers, P: Policy>(lanes: usize) -> Option<fn() -> Work> {
+    match (P::Exit::DEFERS_RANGE, lanes) {
+        (false, _) => None,
+        (true, 1) => Some(work::<K, P, 1>),
+        (true, _) => Some(work::<K, P, 2>),
+    }
 }
 
 /// How a loop over single rays or packets is driven.
@@ -227,15 +239,14 @@ pub fn numbers<O: Output>() -> usize {
 }
 
 /// What is the same for all forms of a kernel over an element type.
-fn push<K: Offers, E: Element>(
-    v: &mut Vec<Variant>,
+fn timed<K: Offers, E: Element>(
     axes: Axes,
     available: fn() -> bool,
     shape: Shape,
     pairs: OptionalPairs<K, E>,
     nearest: NearestLoop<E>,
-) {
-    v.push(Variant {
+) -> Variant {
+    Variant {
         axes,
         about: &K::ABOUT,
         bytes_per_triangle: size_of::<K::Record<E>>(),
@@ -244,7 +255,8 @@ fn push<K: Offers, E: Element>(
         nearest: Some(bind_nearest(shape, K::prepare::<E>, Storing::of::<Aos>(), nearest)),
         rays: shape.rays,
         lanes: shape.rays,
-    });
+        work: None,
+    }
 }
 
 /// The exit of one test, in the kernel's own order.

@@ -104,5 +104,6 @@ where
         nearest: None,
         rays: 1,
         lanes: 1,
+        work: None,
     });
 }

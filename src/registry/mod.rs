@@ -13,6 +13,7 @@ mod packets;
 mod points;
 mod registers;
 mod sharing;
+mod streams;
 mod techniques;
 
 pub use arithmetic::{Unit, units};
@@ -20,10 +21,12 @@ pub use asked::{Asked, asked};
 pub use axes::{Axes, COLUMNS};
 pub use every::{KernelVisitor, ListingVisitor, visit_kernels, visit_listings};
 pub use offers::{Offers, Other};
+pub use streams::{OneStream, streams};
 
 use std::sync::LazyLock;
 
 use crate::batch::{NearestJob, NearestLoop, PairsJob, Shape, Storing, widened};
+use crate::bound::Work;
 use crate::job::Job;
 use crate::kernels::{About, Corners};
 use crate::number::{Element, Vec3};
@@ -53,6 +56,9 @@ pub struct Variant {
     pub rays: usize,
     /// Tests that are done side by side: rays of a packet or a bundle, triangles of a group.
     pub lanes: usize,
+    /// The work of a test; counted of single rays and packets that compute everything, in layout `aos` or
+    /// with something in common.
+    pub work: Option<fn() -> Work>,
 }
 
 impl Variant {

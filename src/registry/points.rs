@@ -60,5 +60,6 @@ fn form<K: PointTest, E: Element + On<Base>, X: Exit, C: Tests>(v: &mut Vec<Vari
         nearest: None,
         rays: 1,
         lanes: 1,
+        work: None,
     });
 }

@@ -1,6 +1,7 @@
 //! Packets whose rays have their origin or their direction in common.
 
 use crate::batch::{Aosoa, Sharing};
+use crate::bound::{Work, shared_work};
 use crate::kernels::Fallback;
 use crate::kernels::{
     Common, CommonOrigin, EmbreePlucker, HalfSpaces, KenslerShirley, MollerTrumbore, Parallel,
@@ -8,9 +9,9 @@ use crate::kernels::{
 };
 use crate::level::{Level, On, enter};
 use crate::number::{Real, Twice};
-use crate::policy::{Early, Exit, First, Full, Fused, Last};
+use crate::policy::{Early, Exit, First, Full, Fused, Last, Policy};
 
-use super::drives::{Of, push};
+use super::drives::{Of, driven};
 use super::{Offers, Variant, registers};
 
 /// Every kernel that shares something.
@@ -68,17 +69,26 @@ where
     G: Real<Element = R::Element, Token = R::Token>,
     L: Level,
 {
-    let drive = format!("packet{}-{}", R::LANES, C::NAME);
     if K::LAST {
-        let run = enter::<L, Sharing<K, Of<K, E, Last, Fused>, R, G, C>, 0>;
-        push::<K, Of<K, E, Last, Fused>, R::Element, L, Aosoa<WIDTH>>(v, drive, [R::LANES; 3], run);
+        one::<K, Of<K, E, Last, Fused>, C, R, G, L, WIDTH>(v);
     } else {
-        let run = enter::<L, Sharing<K, Of<K, E, First, Fused>, R, G, C>, 0>;
-        push::<K, Of<K, E, First, Fused>, R::Element, L, Aosoa<WIDTH>>(
-            v,
-            drive,
-            [R::LANES; 3],
-            run,
-        );
+        one::<K, Of<K, E, First, Fused>, C, R, G, L, WIDTH>(v);
     }
+}
+
+fn one<K, P, C, R, G, L, const WIDTH: usize>(v: &mut Vec<Variant>)
+where
+    K: Offers + Shares<C>,
+    P: Policy,
+    C: Common,
+    R: Real + On<L>,
+    G: Real<Element = R::Element, Token = R::Token>,
+    L: Level,
+{
+    let drive = format!("packet{}-{}", R::LANES, C::NAME);
+    let run = enter::<L, Sharing<K, P, R, G, C>, 0>;
+    let variant = driven::<K, P, R::Element, L, Aosoa<WIDTH>>(drive, [R::LANES; 3], run);
+    let work: Option<fn() -> Work> =
+        if P::Exit::DEFERS_RANGE { Some(shared_work::<K, P, C>) } else { None };
+    v.push(Variant { work, ..variant });
 }

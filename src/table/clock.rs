@@ -53,6 +53,9 @@ pub const CLOCK_COLUMNS: &[&str] = &[
     "cold_ratio_low",
     "cold_ratio_high",
     "cold_floor_ns",
+    "bound_cycles_per_test",
+    "bound_resource",
+    "bound_fraction",
 ];
 
 /// Statuses that were given before anything was timed.

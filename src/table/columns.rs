@@ -3,7 +3,7 @@
 /// Declares [`Row`], its header and its access by column name from one list, so that the order in
 /// the file, the names and the fields cannot drift apart.
 macro_rules! columns {
-    ($($(#[$doc:meta])* $name:ident: $kind:ty,)*) => {
+    ([] { $($(#[$doc:meta])* $name:ident: $kind:ty,)* }) => {
         /// One line of `rows.csv`. An empty string and `None` are missing values.
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct Row { $($(#[$doc])* pub $name: $kind,)* }
