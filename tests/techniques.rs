@@ -1,6 +1,8 @@
 //! What the techniques promise that no law covers: sign bits decide as comparisons do, estimated
 //! reciprocals are as exact as their levels say, and neither lets a number that is not finite out.
 
+use std::collections::BTreeMap;
+
 use glam::Vec3;
 use ray_test::job::Answer;
 use ray_test::policy::{Between, Compare, FromZero, SignBitsSafe, Tests};
@@ -35,11 +37,13 @@ fn bounds() -> impl Iterator<Item = f32> {
     SPECIAL.into_iter().filter(|x| x.is_finite())
 }
 
+/// NaN is refused where all tests are over; see the tests of whole forms below.
 #[test]
 fn safe_sign_bits_decide_as_comparisons_do() {
     let mut hits = [0; 4];
-    for (one, v) in bounds().filter(|one| *one > 0.0).flat_map(|one| SPECIAL.map(|v| (one, v))) {
-        for u in SPECIAL {
+    let numbers: Vec<f32> = SPECIAL.into_iter().filter(|x| !x.is_nan()).collect();
+    for one in bounds().filter(|one| *one > 0.0) {
+        for (u, v) in numbers.iter().flat_map(|u| numbers.iter().map(move |v| (*u, *v))) {
             let inside = Compare::inside(u, v, one);
             assert_eq!(SignBitsSafe::inside(u, v, one), inside, "inside {u} {v} {one}");
             let both = Compare::share(u, one) & Compare::beside(u, v, one);
@@ -50,21 +54,75 @@ fn safe_sign_bits_decide_as_comparisons_do() {
         }
     }
     for (lower, upper) in bounds().flat_map(|lower| bounds().map(move |upper| (lower, upper))) {
-        for t in SPECIAL {
-            let zero = Compare::range::<FromZero, f32>(t, lower, upper);
+        for t in numbers.iter().copied() {
+            let from_zero = Compare::range::<FromZero, f32>(t, 0.0, upper);
             let safe = SignBitsSafe::range::<FromZero, f32>(t, 0.0, upper);
-            assert_eq!(safe, Compare::range::<FromZero, f32>(t, 0.0, upper), "{t} {upper}");
+            assert_eq!(safe, from_zero, "{t} up to {upper}");
             let between = Compare::range::<Between, f32>(t, lower, upper);
             let safe = SignBitsSafe::range::<Between, f32>(t, lower, upper);
             assert_eq!(safe, between, "{t} in {lower} {upper}");
-            hits[2] += usize::from(zero);
+            assert_eq!(SignBitsSafe::ahead(t), Compare::ahead(t), "{t} ahead");
+            hits[2] += usize::from(from_zero);
             hits[3] += usize::from(between);
         }
     }
     assert!(hits.iter().all(|hits| *hits > 100), "{hits:?}");
-    for t in SPECIAL.into_iter().filter(|t| !t.is_nan()) {
-        assert_eq!(SignBitsSafe::ahead(t), Compare::ahead(t), "{t} ahead");
+}
+
+/// Variants whose tests are not comparisons, each with its own form that compares.
+fn tested() -> impl Iterator<Item = [&'static Variant; 2]> {
+    let others = variants().iter().filter(|variant| {
+        let axes = &variant.axes;
+        axes.tests != "compare" && axes.query == "ray" && (variant.available)()
+    });
+    others.map(|variant| {
+        let id = Axes { tests: "compare", ..variant.axes.clone() }.id();
+        [variant, find(&id).unwrap_or_else(|| panic!("{}: no {id}", variant.id()))]
+    })
+}
+
+#[test]
+fn clear_of_boundaries_all_tests_find_the_same() {
+    let mut hits = 0;
+    for kind in [Kind::Random, Kind::Coherent] {
+        let set = NearestSet::draw(NearestSpec { triangles: 45, rays: 128, kind, seed: 3 })
+            .expect("a plain specification");
+        for [variant, comparing] in tested() {
+            let found = answers(variant, &set.rays, &set.triangles);
+            let expected = answers(comparing, &set.rays, &set.triangles);
+            for (found, expected) in found.iter().zip(&expected) {
+                assert_eq!(found.triangle, expected.triangle, "{}", variant.id());
+                hits += usize::from(found.triangle.is_some());
+            }
+        }
     }
+    assert!(hits > 50 * tested().count(), "{hits} hits");
+}
+
+#[test]
+fn safe_sign_bits_find_what_comparisons_find_bit_for_bit() {
+    let (mut draw, mut hits, mut forms) = (Pcg::new(12), 0, 0);
+    for (rays, triangle) in extremes(&mut draw) {
+        for [variant, comparing] in tested() {
+            if variant.axes.tests != "sign-bits-safe" {
+                continue;
+            }
+            let found = answers(variant, &rays, &[triangle]);
+            let expected = answers(comparing, &rays, &[triangle]);
+            for (found, expected) in found.iter().zip(&expected) {
+                assert_eq!(bits(found), bits(expected), "{} {triangle:?}", variant.id());
+                hits += usize::from(found.triangle.is_some());
+            }
+            forms += 1;
+        }
+    }
+    assert!(hits > forms, "{hits} hits in {forms} runs");
+}
+
+/// The triangle of a hit, and the bits of t, u and v.
+fn bits(answer: &Answer) -> Option<(usize, [u64; 3])> {
+    let Answer { t, u, v, triangle, .. } = answer;
+    triangle.map(|triangle| (triangle, [t, u, v].map(|x| x.to_bits())))
 }
 
 /// Variants with estimated reciprocals, each with its own form that divides; and how many this
@@ -105,7 +163,7 @@ fn bound(axes: &Axes) -> f64 {
 #[test]
 fn distances_are_as_exact_as_the_estimate_and_its_steps() {
     let (pairs, missing) = estimated();
-    let (mut compared, mut worst) = (0, std::collections::BTreeMap::new());
+    let (mut compared, mut worst) = (0, BTreeMap::new());
     for seed in 0..24 {
         // One triangle, so that a distance decides nothing.
         let spec = NearestSpec { triangles: 1, rays: 128, kind: Kind::Random, spread: 0.0, seed };
@@ -151,33 +209,39 @@ fn vector(draw: &mut Pcg, scale: f32) -> Vec3 {
     Vec3::from_array(std::array::from_fn(|_| number(draw, scale)))
 }
 
+/// Rays and a triangle of all sizes. Determinants are of the second to the sixth power of a size, over
+/// the range of f32 and beyond.
+fn extremes(draw: &mut Pcg) -> Vec<(Vec<Ray>, Triangle)> {
+    let exponents = [-30, -19, -13, -7, 0, 6, 12, 18, 30].into_iter().flat_map(|e| [e; 24]);
+    let scene = exponents.map(|exponent| {
+        let scale = 10f32.powi(exponent);
+        let [a, b, c] = [(); 3].map(|()| vector(draw, scale));
+        let rays = (0..32).map(|i| {
+            let origin = vector(draw, scale);
+            let aimed = (a + b + c) / 3.0 - origin;
+            let direction = if i % 2 == 0 { aimed } else { vector(draw, scale) };
+            Ray { origin, direction, end: origin + direction, t_min: 0.0, t_max: f32::MAX }
+        });
+        (rays.collect(), Triangle { a, b, c })
+    });
+    scene.collect()
+}
+
 #[test]
 fn nothing_that_is_not_finite_is_reported() {
     let (pairs, missing) = estimated();
-    let mut draw = Pcg::new(11);
     let mut hits = 0;
-    // Determinants are of the second to the sixth power of it, over the range of f32 and beyond.
-    for exponent in [-30, -19, -13, -7, 0, 6, 12, 18, 30].into_iter().flat_map(|e| [e; 24]) {
-        let scale = 10f32.powi(exponent);
-        let [a, b, c] = [(); 3].map(|()| vector(&mut draw, scale));
-        let rays: Vec<Ray> = (0..32)
-            .map(|i| {
-                let origin = vector(&mut draw, scale);
-                let aimed = (a + b + c) / 3.0 - origin;
-                let direction = if i % 2 == 0 { aimed } else { vector(&mut draw, scale) };
-                Ray { origin, direction, end: origin + direction, t_min: 0.0, t_max: f32::MAX }
-            })
-            .collect();
+    for (rays, triangle) in extremes(&mut Pcg::new(11)) {
         for [variant, _] in &pairs {
-            for answer in answers(variant, &rays, &[Triangle { a, b, c }]) {
-                let Answer { t, u, v, triangle, .. } = answer;
+            for answer in answers(variant, &rays, &[triangle]) {
+                let Answer { t, u, v, triangle: hit, .. } = answer;
                 let finite = [t, u, v].iter().all(|x| x.is_finite());
                 assert!(
-                    triangle.is_none() || finite && t >= 0.0,
-                    "{}: t {t} u {u} v {v} of {a} {b} {c}",
+                    hit.is_none() || finite && t >= 0.0,
+                    "{}: t {t} u {u} v {v} of {triangle:?}",
                     variant.id()
                 );
-                hits += usize::from(triangle.is_some());
+                hits += usize::from(hit.is_some());
             }
         }
     }

@@ -125,8 +125,9 @@ pub trait Policy: Copy + 'static {
     }
     /// The upper bound of t is left to the search for the nearest hit, which compares every hit with
     /// the one before it. Forms that leave early leave by the bound; where only the hit is wanted
-    /// nobody keeps a distance.
-    const LEAVES_BOUND: bool = Self::Exit::DEFERS_RANGE && Self::IS_SEARCH;
+    /// nobody keeps a distance. Sign bits as printed ask for both bounds at once or for none.
+    const LEAVES_BOUND: bool =
+        Self::Exit::DEFERS_RANGE && Self::IS_SEARCH && !Self::Tests::SIGN_BITS;
     /// Whoever is given the answer keeps the nearest hit, and takes none that is not nearer.
     const IS_SEARCH: bool = Self::Span::NEARER && Self::Output::T;
 
@@ -233,7 +234,7 @@ pub trait Policy: Copy + 'static {
         (t, t_scale): (R, Scale<R>),
         ([u, v], uv_scale): ([R; 2], Scale<R>),
     ) -> Result<Found<R>, Miss> {
-        let hit = Self::settle(hit, ray, t, t_scale)?;
+        let hit = Self::ordered(Self::settle(hit, ray, t, t_scale)?, [t, u, v]);
         let (t_inverse, inverse) = (Self::inverse(t_scale), Self::inverse(uv_scale));
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, t_inverse), resolve(u, inverse), resolve(v, inverse)];
@@ -241,6 +242,15 @@ pub trait Policy: Copy + 'static {
         let asks = Self::Division::BEHIND_TESTS && !Self::Tests::AS_PUBLISHED;
         let hit = if asks { hit & Self::Reciprocal::usable(inverse) } else { hit };
         Ok(Found { hit, t, u, v })
+    }
+    /// `hit` where none of the numerators is NaN, if the tests have left that open.
+    #[inline(always)]
+    fn ordered<R: Real>(hit: R::Mask, [t, u, v]: [R; 3]) -> R::Mask {
+        if !Self::Tests::LEAVES_NAN {
+            return hit;
+        }
+        let sum = t + u + v;
+        hit & sum.le(sum)
     }
     /// `hit` where t, which passed the test of its range, is finite, and the determinant, whose
     /// reciprocal is `inverse`. Divided last, t was tested as a numerator; the quotient can overflow,

@@ -15,8 +15,13 @@ pub trait Tests: Copy + 'static {
     const AS_PUBLISHED: bool = Self::SIGN_BITS || Self::PRODUCTS;
     /// Where `t` is in `[lower, upper]`.
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask;
-    /// Where `t` is not negative.
-    fn ahead<R: Real>(t: R) -> R::Mask;
+    /// The tests may let a NaN pass, which is looked for in what they leave.
+    const LEAVES_NAN: bool = false;
+    /// Where `t` is not negative. Not asked of sign bits as printed, which flip nothing.
+    #[inline(always)]
+    fn ahead<R: Real>(t: R) -> R::Mask {
+        t.ge(t.zero())
+    }
     /// Where `u` is in `[0, one]`.
     fn share<R: Real>(u: R, one: R) -> R::Mask;
     /// Where `v` and one - u - v are not negative, `u` being known to be a share.
@@ -37,12 +42,14 @@ pub struct SignBits;
 /// For x that is not NaN, x >= 0 exactly if the sign bit of x + 0 is clear: adding +0 changes nothing
 /// but turns -0 into +0. And x <= y, y not being -0, exactly if the sign bit of y - x is clear: with
 /// subnormal numbers a difference is zero only of equals, that zero is then +0, and rounding changes
-/// no sign. Bits that must be clear are united by `or` and asked for once.
+/// no sign. Bits that must be clear are united by `or` and asked for at once: one jump where
+/// comparisons have two or three.
 ///
-/// A NaN has either sign. It is left to one ordered comparison, which is false for it: that of u + v
-/// with `one`, which NaN in u or v reaches, and that of t with its upper bound. A share by itself, or
-/// what lies ahead, may let a NaN pass: the test of v, or the search, refuses it. Where two infinities
-/// are subtracted the determinant is infinite, and no form takes it for a hit.
+/// A NaN has either sign. Where one passes, the sum of t, u and v is NaN, and [`Policy::finish`]
+/// refuses it by one ordered comparison, which is for hits alone. Where two infinities are subtracted
+/// the determinant or t is infinite, and no form takes that for a hit.
+///
+/// [`Policy::finish`]: super::Policy::finish
 #[derive(Clone, Copy)]
 pub struct SignBitsSafe;
 /// Chirkov's `>=` and `<` of products, as published; other tests as [`Compare`].
@@ -56,10 +63,6 @@ impl Tests for Compare {
     #[inline(always)]
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask {
         t.ge(lower) & t.le(upper)
-    }
-    #[inline(always)]
-    fn ahead<R: Real>(t: R) -> R::Mask {
-        t.ge(t.zero())
     }
     #[inline(always)]
     fn share<R: Real>(u: R, one: R) -> R::Mask {
@@ -85,10 +88,6 @@ impl Tests for SignBits {
         !above.signed_by(upper - t).sign_bit()
     }
     #[inline(always)]
-    fn ahead<R: Real>(t: R) -> R::Mask {
-        !t.sign_bit()
-    }
-    #[inline(always)]
     fn share<R: Real>(u: R, one: R) -> R::Mask {
         !u.signed_by(one - u).sign_bit()
     }
@@ -106,11 +105,12 @@ impl Tests for SignBitsSafe {
     const NAME: &'static str = "sign-bits-safe";
     const SIGN_BITS: bool = false;
     const PRODUCTS: bool = false;
+    const LEAVES_NAN: bool = true;
     #[inline(always)]
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask {
-        let above = t + t.zero();
-        let above = if S::FROM_ZERO { above } else { above - lower };
-        !above.sign_bit() & t.le(upper)
+        let (t, upper) = (t + t.zero(), upper + t.zero());
+        let above = if S::FROM_ZERO { t } else { t - lower };
+        !above.either_sign(upper - t).sign_bit()
     }
     #[inline(always)]
     fn ahead<R: Real>(t: R) -> R::Mask {
@@ -122,11 +122,12 @@ impl Tests for SignBitsSafe {
     }
     #[inline(always)]
     fn beside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        !(v + v.zero()).sign_bit() & (u + v).le(one)
+        !(v + v.zero()).either_sign(one - (u + v)).sign_bit()
     }
     #[inline(always)]
     fn inside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        !(u + u.zero()).either_sign(v + v.zero()).sign_bit() & (u + v).le(one)
+        let rest = one - (u + v);
+        !(u + u.zero()).either_sign(v + v.zero()).either_sign(rest).sign_bit()
     }
 }
 
@@ -137,10 +138,6 @@ impl Tests for Products {
     #[inline(always)]
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask {
         Compare::range::<S, R>(t, lower, upper)
-    }
-    #[inline(always)]
-    fn ahead<R: Real>(t: R) -> R::Mask {
-        Compare::ahead(t)
     }
     #[inline(always)]
     fn share<R: Real>(u: R, one: R) -> R::Mask {
