@@ -14,18 +14,22 @@ mod listed;
 mod nearest;
 mod nearest_job;
 mod pairs;
+#[cfg(feature = "peers")]
+mod peers;
 mod points;
 mod sharing;
 
 pub use arithmetic::{ArithmeticJob, OPERATIONS};
 pub use bundle::Bundle;
-pub use data::{PairsJob, PairsLoop, widened};
+pub use data::{LoopOver, PairsJob, PairsLoop, widened};
 pub use group::Group;
 pub use layout::{Aos, Aosoa, Layout, Soa};
 pub use listed::Listed;
 pub use nearest::{Nearest, WIDEST};
 pub use nearest_job::{NearestJob, NearestLoop, Shape, Storing};
 pub use pairs::Pairs;
+#[cfg(feature = "peers")]
+pub use peers::PeerPairs;
 pub use points::Points;
 pub use sharing::Sharing;
 
