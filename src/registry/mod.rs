@@ -17,7 +17,7 @@ mod registers;
 mod sharing;
 
 pub use arithmetic::{Unit, units};
-pub use asked::{Asked, asked};
+pub use asked::{Asked, asked, asked_with_peers};
 pub use axes::{Axes, COLUMNS};
 pub use every::{KernelVisitor, ListingVisitor, visit_kernels, visit_listings};
 pub use offers::{Offers, Other};

@@ -1,9 +1,17 @@
 //! The tests of other crates: single rays of f32 at the baseline, on pairs.
 
-use crate::batch::{LoopOver, PairsJob, PeerPairs};
-use crate::level::{self, Level, enter};
-use crate::peers::{Bvh, Glam, Obvhs, ObvhsCompressed, ObvhsPrepared, Parry, Peer, Rayx};
+use std::sync::LazyLock;
 
+use glam::Vec3;
+
+use crate::batch::{LoopOver, PairsJob, PeerPairs};
+use crate::job::Answer;
+use crate::level::{self, Level, enter};
+use crate::oracle::Query;
+use crate::peers::{Bvh, Glam, Obvhs, ObvhsCompressed, ObvhsPrepared, Parry, Peer, Rayx};
+use crate::workload::{Ray, Triangle};
+
+use super::asked::{Asked, answer};
 use super::{Axes, Binder, Variant};
 
 #[cfg(target_arch = "x86_64")]
@@ -27,8 +35,47 @@ pub fn all(v: &mut Vec<Variant>) {
     ]);
 }
 
-fn variant<P: Peer, const UV: bool>() -> Variant {
-    let axes = Axes {
+/// Every peer with t, u and v, to be asked without a clock.
+pub fn asked() -> &'static [Asked] {
+    static ASKED: LazyLock<Vec<Asked>> = LazyLock::new(|| {
+        vec![
+            form::<Parry>(),
+            form::<Bvh>(),
+            form::<Obvhs>(),
+            form::<ObvhsPrepared>(),
+            form::<ObvhsCompressed>(),
+            form::<Glam>(),
+            form::<Rayx>(),
+        ]
+    });
+    &ASKED
+}
+
+fn form<P: Peer>() -> Asked {
+    Asked { axes: axes::<P, true>(), about: &P::ABOUT, is_segment: false, ask: ask::<P> }
+}
+
+/// The answer to a query whose numbers are rounded to f32.
+fn ask<P: Peer>(query: &Query) -> Answer {
+    let vector = |v: [f64; 3]| Vec3::from_array(v.map(|x| x as f32));
+    let bound = |t: f64| t.clamp(-f64::from(f32::MAX), f64::from(f32::MAX)) as f32;
+    let (origin, direction) = (vector(query.origin), vector(query.direction));
+    let ray = Ray {
+        origin,
+        direction,
+        end: query.end.map_or(origin + direction, vector),
+        t_min: bound(query.t_min),
+        t_max: bound(query.t_max),
+    };
+    let [a, b, c] = query.triangle.map(vector);
+    match P::test::<true>(&P::ray(&ray), &P::triangle(&Triangle { a, b, c })) {
+        Some(outputs) => answer(true, outputs, 0),
+        None => answer(false, [0.0f32; 3], u8::MAX),
+    }
+}
+
+fn axes<P: Peer, const UV: bool>() -> Axes {
+    Axes {
         division: P::DIVISION,
         output: if UV { "tuv" } else { "t" },
         cull: P::CULL,
@@ -37,9 +84,12 @@ fn variant<P: Peer, const UV: bool>() -> Variant {
         stored_is_native: P::STORED_IS_NATIVE,
         tests: P::TESTS,
         ..Axes::usual(P::ABOUT.id, "f32", Base::NAME)
-    };
+    }
+}
+
+fn variant<P: Peer, const UV: bool>() -> Variant {
     Variant {
-        axes,
+        axes: axes::<P, UV>(),
         about: &P::ABOUT,
         bytes_per_triangle: size_of::<P::Triangle>(),
         available: level::available::<Base>,
