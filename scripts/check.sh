@@ -20,6 +20,7 @@ step "lints"
 cargo clippy --version >/dev/null 2>&1 || rustup component add clippy
 cargo clippy --release --all-targets -- -D warnings
 cargo clippy --release --no-default-features --lib -- -D warnings
+cargo clippy --release --features peers --lib -- -D warnings
 
 step "build"
 cargo build --release

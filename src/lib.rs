@@ -72,6 +72,9 @@ pub mod kernels;
 
 pub mod level;
 
+#[cfg(feature = "peers")]
+pub mod peers;
+
 pub mod batch;
 
 pub mod job;

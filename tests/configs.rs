@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 34] = [
+const IDS: [&str; 37] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -20,6 +20,7 @@ const IDS: [&str; 34] = [
     "branches-packets",
     "bundles",
     "calls",
+    "coherence",
     "common-origin",
     "groups",
     "h-10",
@@ -37,6 +38,8 @@ const IDS: [&str; 34] = [
     "packets",
     "padding",
     "parallel",
+    "peers",
+    "peers-facing",
     "points",
     "precision",
     "reciprocal",

@@ -238,4 +238,5 @@ fn wrong_configs_are_refused_with_where_what_and_what_is_allowed() {
     refused(&good.replace("why", "reason"), &["reason"]);
     refused(&good.replace("id = 'test'", "id = '../test'"), &["id", "../test", "lower-case"]);
     refused(&format!("reference = 'none'\n{good}"), &["reference", "none"]);
+    refused(&format!("feature = 'piers'\n{good}"), &["feature", "piers", "peers"]);
 }

@@ -1,6 +1,7 @@
 //! Prepared pairs behind a [`Job`], generic over kernel and element only.
 
 use std::hint::black_box;
+use std::marker::PhantomData;
 
 use super::aligned::Aligned;
 use super::pairs::Walk;
@@ -30,25 +31,30 @@ pub fn widened<E: Element>(ray: &workload::Ray) -> Ray<E> {
     }
 }
 
-/// The compiled loop of a form over pairs.
-pub type PairsLoop<E, T> = fn(Walk<'_, (Ray<E>, T)>) -> Tally;
+/// A compiled loop over pairs of any kind.
+pub type LoopOver<I> = fn(Walk<'_, I>) -> Tally;
 
-/// Pairs of rays and records with the loop that tests them.
-pub struct PairsJob<E, T> {
-    original: Vec<(Ray<E>, T)>,
-    laid_out: Aligned<(Ray<E>, T)>,
-    run: PairsLoop<E, T>,
-    code: fn(&Ray<E>, &T) -> u8,
+/// The compiled loop of a form over pairs.
+pub type PairsLoop<E, T> = LoopOver<(Ray<E>, T)>;
+
+/// Pairs of rays `Q` and records `T` with the loop that tests them, in numbers of the precision `E`.
+pub struct PairsJob<E, Q, T> {
+    original: Vec<(Q, T)>,
+    laid_out: Aligned<(Q, T)>,
+    run: LoopOver<(Q, T)>,
+    code: fn(&Q, &T) -> u8,
+    precision: PhantomData<E>,
 }
 
-impl<E: Element, T: Copy> PairsJob<E, T> {
+impl<E: Element, Q: Copy, T: Copy> PairsJob<E, Q, T> {
     /// A job over `pairs`; `code` gives the exit of one test, for answers only.
-    pub fn new(pairs: Vec<(Ray<E>, T)>, run: PairsLoop<E, T>, code: fn(&Ray<E>, &T) -> u8) -> Self {
-        PairsJob { laid_out: Aligned::new(&pairs), original: pairs, run, code }
+    pub fn new(pairs: Vec<(Q, T)>, run: LoopOver<(Q, T)>, code: fn(&Q, &T) -> u8) -> Self {
+        let laid_out = Aligned::new(&pairs);
+        PairsJob { original: pairs, laid_out, run, code, precision: PhantomData }
     }
 }
 
-impl<E: Element, T: Copy> Job for PairsJob<E, T> {
+impl<E: Element, Q: Copy, T: Copy> Job for PairsJob<E, Q, T> {
     fn items(&self) -> usize {
         self.original.len()
     }

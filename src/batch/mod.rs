@@ -15,6 +15,8 @@ mod listed;
 mod nearest;
 mod nearest_job;
 mod pairs;
+#[cfg(feature = "peers")]
+mod peers;
 mod points;
 mod sharing;
 mod stream;
@@ -22,7 +24,7 @@ mod stream;
 pub use arithmetic::{ArithmeticJob, OPERATIONS};
 pub use best::Best;
 pub use bundle::Bundle;
-pub use data::{PairsJob, PairsLoop, widened};
+pub use data::{LoopOver, PairsJob, PairsLoop, widened};
 pub use group::Group;
 pub use kind::{Kind, PLACES, mix};
 pub use layout::{Aos, Aosoa, Layout, Soa};
@@ -30,6 +32,8 @@ pub use listed::Listed;
 pub use nearest::{Nearest, WIDEST, step};
 pub use nearest_job::{NearestJob, NearestLoop, Shape, Storing};
 pub use pairs::Pairs;
+#[cfg(feature = "peers")]
+pub use peers::PeerPairs;
 pub use points::Points;
 pub use sharing::{Sharing, step_shared};
 pub use stream::Stream;

@@ -1,5 +1,6 @@
 //! `ray_test run` and `ray_test reproduce`.
 
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -36,6 +37,10 @@ pub fn reproduce(arguments: &Reproduce) -> Result<(), Failure> {
 /// Everything that can be refused is refused before anything runs.
 fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     let plans = plans(&sources, batch)?;
+    if plans.is_empty() {
+        // All of them are of another build, which was said.
+        return Ok(());
+    }
     let experiments: Vec<String> = plans.iter().map(|plan| plan.experiment.id.clone()).collect();
     batch.baselines.check(&experiments)?;
     let profile = batch.profile.value();
@@ -70,8 +75,8 @@ fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
     let filter = batch.filter.as_deref().map(pattern_of).transpose();
     let filter = filter.map_err(|error| Failure::Usage(format!("--filter: {error}")))?;
     let mut plans: Vec<Plan> = Vec::new();
-    for (origin, text) in sources {
-        let plan = Plan::new(origin, Experiment::parse(origin, text)?, filter.as_ref())?;
+    for (origin, experiment) in here(sources)? {
+        let plan = Plan::new(origin, experiment, filter.as_ref())?;
         if plans.iter().any(|other| other.experiment.id == plan.experiment.id) {
             return Err(Failure::Usage(format!(
                 "{origin}: id '{}' stands in two files; allowed: one",
@@ -80,7 +85,7 @@ fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
         }
         plans.push(plan);
     }
-    if filter.is_some() {
+    if filter.is_some() && !plans.is_empty() {
         plans.retain(|plan| !plan.variants.is_empty() && plan.experiment.workload.has_variants());
         if plans.is_empty() {
             return Err(Failure::Usage(
@@ -91,6 +96,30 @@ fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
         }
     }
     Ok(plans)
+}
+
+/// The experiments with their files; those of which the variants are not in this build are left out,
+/// and named.
+fn here(sources: &[Source]) -> Result<Vec<(&str, Experiment)>, Failure> {
+    let mut experiments = Vec::new();
+    let mut skipped: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for (origin, text) in sources {
+        let experiment = Experiment::parse(origin, text)?;
+        if experiment.is_of_another_build() {
+            skipped.entry(experiment.feature).or_default().push(experiment.id);
+        } else {
+            experiments.push((origin.as_str(), experiment));
+        }
+    }
+    for (feature, ids) in skipped {
+        eprintln!(
+            "skipped {} ({}): this build lacks the feature '{feature}'; `cargo build --release \
+             --features {feature}` has it",
+            ids.len(),
+            ids.join(", ")
+        );
+    }
+    Ok(experiments)
 }
 
 /// What an experiment is expected to take, in seconds.

@@ -22,6 +22,10 @@ pub struct Experiment {
     pub question: String,
     /// Why it is asked, and why it is measured this way.
     pub why: String,
+    /// The Cargo feature that its variants come with; empty if every build has them. A build
+    /// without it skips the experiment.
+    #[serde(default)]
+    pub feature: String,
     /// Ids of the claims that its rows decide.
     #[serde(default)]
     pub claims: Vec<String>,
@@ -51,6 +55,9 @@ pub struct Experiment {
     pub text: String,
 }
 
+/// Features that an experiment may need, and whether this build has them.
+const FEATURES: [(&str, bool); 1] = [("peers", cfg!(feature = "peers"))];
+
 fn seed() -> u64 {
     1
 }
@@ -78,6 +85,11 @@ impl Experiment {
         Ok(experiment)
     }
 
+    /// Whether its variants are not in this build.
+    pub fn is_of_another_build(&self) -> bool {
+        FEATURES.contains(&(self.feature.as_str(), false))
+    }
+
     /// Refuses what can be seen to be wrong before anything runs.
     fn validate(&self) -> Result<(), String> {
         let safe = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || "-.".contains(c);
@@ -85,6 +97,13 @@ impl Experiment {
             return Err(format!(
                 "id: '{}' is not allowed; allowed: lower-case letters, digits, '-' and '.'",
                 self.id
+            ));
+        }
+        if !self.feature.is_empty() && FEATURES.iter().all(|(name, _)| *name != self.feature) {
+            return Err(format!(
+                "feature: '{}' is not allowed; allowed: {}, or none",
+                self.feature,
+                FEATURES.map(|(name, _)| name).join(", ")
             ));
         }
         if self.variants.is_empty() && self.workload.has_variants() {

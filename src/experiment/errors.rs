@@ -11,7 +11,7 @@ use super::scene::reported;
 use super::workload::ErrorsWorkload;
 use crate::accuracy::{Accuracy, Measures, Truth};
 use crate::oracle::{Class, Exact, Query, classify};
-use crate::registry::{Asked, Variant, asked};
+use crate::registry::{Asked, Variant, asked, asked_with_peers};
 use crate::rows::{of_variant, put_accuracy};
 use crate::spread::on_all_cores;
 use crate::table::Row;
@@ -31,7 +31,7 @@ struct Hits {
 }
 
 /// Two rows per seed and variant, one against each of the two references; variants that are not a
-/// form of [`asked`] have one without figures. Ends early, with fewer seeds, once cancelled.
+/// form of [`asked_with_peers`] have one without figures. Ends early, with fewer seeds, once cancelled.
 pub fn rows(
     experiment: &str,
     variants: &[&'static Variant],
@@ -89,9 +89,9 @@ fn of_form(variant: &Variant, blank: Row, found: &[Option<Accuracy>]) -> Vec<Row
     vec![row(EXACT, exact), Row { err_ratio_to_exact, ..row(IN_DOUBLE, in_double) }]
 }
 
-/// The form of [`asked`] that is a variant's.
+/// The form of [`asked_with_peers`] that is a variant's.
 fn form_of(variant: &Variant) -> Option<&'static Asked> {
-    asked().iter().find(|form| form.id() == variant.id())
+    asked_with_peers().find(|form| form.id() == variant.id())
 }
 
 /// Moeller-Trumbore in f64, divided first.

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::Deserialize;
 
-use crate::registry::{Variant, asked};
+use crate::registry::{Variant, asked_with_peers};
 use crate::spread::on_all_cores;
 use crate::stability::{Family, Form, Precision, errors_at, families, find};
 use crate::table::Row;
@@ -55,7 +55,7 @@ pub fn rows(
     cancel: &AtomicBool,
 ) -> Vec<Row> {
     let ids: Vec<String> = variants.iter().map(|variant| variant.id()).collect();
-    let forms = asked().iter().filter(|form| ids.contains(&form.id()));
+    let forms = asked_with_peers().filter(|form| ids.contains(&form.id()));
     let forms: Vec<Form> = forms.filter_map(Form::of).collect();
     let settings: Vec<(Family, f64, Precision)> = workload
         .knobs

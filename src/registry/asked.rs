@@ -46,6 +46,19 @@ pub fn asked() -> &'static [Asked] {
     &ASKED
 }
 
+/// [`asked`], and the peers of this build: their errors and decisions are counted beside ours. The laws
+/// that our own forms are held to do not bind them.
+#[cfg(feature = "peers")]
+pub fn asked_with_peers() -> impl Iterator<Item = &'static Asked> {
+    asked().iter().chain(super::peers::asked())
+}
+
+/// [`asked`]: there are no peers in this build.
+#[cfg(not(feature = "peers"))]
+pub fn asked_with_peers() -> impl Iterator<Item = &'static Asked> {
+    asked().iter()
+}
+
 struct Asking<'a>(&'a mut Vec<Asked>);
 
 impl KernelVisitor for Asking<'_> {
@@ -158,7 +171,7 @@ fn listed<K: Listing, E: Element>(
     all.push(Asked { axes, about: &K::ABOUT, is_segment: false, ask: ask::<K, E> });
 }
 
-fn answer<E: Element>(hit: bool, [t, u, v]: [E; 3], code: u8) -> Answer {
+pub(super) fn answer<E: Element>(hit: bool, [t, u, v]: [E; 3], code: u8) -> Answer {
     let (t, u, v) = (t.to_f64(), u.to_f64(), v.to_f64());
     Answer { triangle: hit.then_some(0), t, u, v, code, ..Answer::default() }
 }

@@ -10,6 +10,8 @@ mod forms;
 mod listings;
 mod offers;
 mod packets;
+#[cfg(feature = "peers")]
+mod peers;
 mod points;
 mod registers;
 mod sharing;
@@ -17,7 +19,7 @@ mod streams;
 mod techniques;
 
 pub use arithmetic::{Unit, units};
-pub use asked::{Asked, asked};
+pub use asked::{Asked, asked, asked_with_peers};
 pub use axes::{Axes, COLUMNS};
 pub use every::{KernelVisitor, ListingVisitor, visit_kernels, visit_listings};
 pub use offers::{Offers, Other};
@@ -63,9 +65,15 @@ pub struct Variant {
 
 impl Variant {
     /// Whether a wrong decision is a fault. The sum of angles claims none, nor does what computes with
-    /// estimates: their wrong decisions are counted, and they are timed.
+    /// estimates, and what other crates claim is not for us to say: their wrong decisions are counted,
+    /// and they are timed.
     pub fn claims_exactness(&self) -> bool {
-        self.axes.kernel != "angle-sum" && self.axes.reciprocal == "divide"
+        self.axes.kernel != "angle-sum" && self.axes.reciprocal == "divide" && !self.is_peer()
+    }
+
+    /// Whether it is a test of another crate, or what people write instead of taking one.
+    pub fn is_peer(&self) -> bool {
+        self.axes.kernel.starts_with("peer-")
     }
 
     /// Whether it is a placebo of `other`.
@@ -91,6 +99,8 @@ pub fn variants() -> &'static [Variant] {
         techniques::all(&mut variants);
         points::all(&mut variants);
         listings::all(&mut variants);
+        #[cfg(feature = "peers")]
+        peers::all(&mut variants);
         variants
     });
     &VARIANTS
@@ -142,7 +152,7 @@ fn bind_pairs<E: Element, T: Copy + 'static>(
     Box::new(move |rays, triangles| {
         let pairs = rays.iter().zip(triangles);
         let pairs = pairs.map(|(ray, triangle)| (widened(ray), prepare(&corners(triangle))));
-        Box::new(PairsJob::new(pairs.collect(), run, code))
+        Box::new(PairsJob::<E, _, _>::new(pairs.collect(), run, code))
     })
 }
 

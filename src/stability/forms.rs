@@ -2,7 +2,7 @@
 
 use super::precision::Precision;
 use crate::accuracy::Reported;
-use crate::registry::{Asked, asked};
+use crate::registry::{Asked, asked, asked_with_peers};
 
 /// A form of a kernel, with the name that tables and charts call it by.
 #[derive(Clone)]
@@ -111,7 +111,7 @@ fn is_usual(form: &Asked) -> bool {
 /// The usual form of a form's kernel in its precision: divided last and rounded plainly, where
 /// there are several, and the first one of the registry besides.
 fn usual(form: &Asked) -> &'static Asked {
-    let alike = asked().iter().filter(|other| {
+    let alike = asked_with_peers().filter(|other| {
         other.about.id == form.about.id
             && other.axes.precision == form.axes.precision
             && !flushes(other)
