@@ -214,17 +214,20 @@ where
     let axes =
         Axes { drive: drive::<R>(), copy: COPY, ..Axes::of::<K, P>(R::Element::NAME, L::NAME) };
     let shape = Shape { lanes: R::LANES, rays: R::LANES, outputs: numbers::<P::Output>() };
-    let work = counted::<K, N>(R::LANES);
+    let work = counted::<K, N, R>();
     let variant = timed::<K, R::Element>(axes, level::available::<L>, shape, pairs, nearest);
     v.push(Variant { work, ..variant });
 }
 
-/// Counts the work of a form, where it does all of it always.
-fn counted<K: Offers, P: Policy>(lanes: usize) -> Option<fn() -> Work> {
-    match (P::Exit::DEFERS_RANGE, lanes) {
-        (false, _) => None,
-        (true, 1) => Some(work::<K, P, 1>),
-        (true, _) => Some(work::<K, P, 2>),
+/// Counts the work of a form that does all of it always, and reports t, u and v: of others nobody asks. The
+/// conditions are constants, so that what they rule out is not even compiled.
+fn counted<K: Offers, P: Policy, R: Real>() -> Option<fn() -> Work> {
+    if const { !P::Exit::DEFERS_RANGE || !P::Output::UV || P::Output::SURFACE } {
+        None
+    } else if const { R::LANES == 1 } {
+        Some(work::<K, P, 1>)
+    } else {
+        Some(work::<K, P, 2>)
     }
 }
 
