@@ -12,16 +12,18 @@ function kind_of(name) {
     return ""
 }
 
-# Exactly the operations of its mix, in the widest registers, and nothing kept on the stack.
-function judge_stream(    place, rest_, want) {
+# Exactly the operations of its mix, in the widest registers, and nothing kept on the stack. Several walks
+# may be done at once. What joins comparisons is among the logic, and operands may be moved.
+function judge_stream(    place, rest, want, k, kinds, walks) {
     split("", want)
-    rest_ = mix
-    for (place = 0; place < 12; place++) { want[rest_ % 16]++; rest_ = int(rest_ / 16) }
-    rule("mix", found["add"] + 0 == want[1] + want[8], "add", "additions other than " want[1] + want[8])
-    rule("mix", found["multiply"] + 0 == want[2] + 0, "multiply", "multiplications other than " want[2] + 0)
-    rule("mix", found["fused"] + 0 == want[3] + 0, "fused", "fused operations other than " want[3] + 0)
-    rule("mix", found["divide"] + 0 == want[4] + 0, "divide", "divisions other than " want[4] + 0)
-    rule("mix", found["compare"] + 0 == want[5] + 0, "compare", "comparisons other than " want[5] + 0)
-    rule("mix", found["logic"] + 0 >= want[6] + want[7], "logic", "selections and flips fewer than " want[6] + want[7])
+    split("add multiply fused divide compare", kinds, " ")
+    rest = mix
+    for (place = 0; place < 12; place++) { k = rest % 16; want[k == 8 ? 1 : k]++; rest = int(rest / 16) }
+    walks = 1
+    for (k = 1; k <= 5; k++) if (want[k] && found[kinds[k]] > want[k]) walks = int(found[kinds[k]] / want[k])
+    for (k = 1; k <= 5; k++) rule("mix", found[kinds[k]] + 0 == walks * want[k], kinds[k], \
+        found[kinds[k]] + 0 " times " kinds[k] " where " walks " walks have " walks * want[k])
+    rule("mix", found["logic"] + 0 >= walks * (want[6] + want[7]), "logic", \
+        "selections and flips fewer than the " walks * (want[6] + want[7]) " of " walks " walks")
     rule("spills", !found["spills"], "spills", "stores to the stack in a stream")
 }

@@ -11,7 +11,7 @@ use super::kind::PLACES;
 use super::stream::Stream;
 use crate::job::{Answer, Block, Job, Tally};
 use crate::level::{Batch, Level, On, enter};
-use crate::number::{Element, Real};
+use crate::number::{Element, Real, Toggle};
 
 /// Independent sums.
 const SUMS: usize = 12;
@@ -61,7 +61,7 @@ impl ArithmeticJob {
     }
 
     /// The stream of a mix of operations; an item is one walk through its loop.
-    pub fn stream<L: Level, R: Real + On<L>, const MIX: u64>() -> Self {
+    pub fn stream<L: Level, R: Toggle + On<L>, const MIX: u64>() -> Self {
         let operations = (R::LANES * PLACES) as u64;
         ArithmeticJob { operations, run: enter::<L, Stream<R, MIX>, 0> }
     }

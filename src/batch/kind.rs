@@ -64,13 +64,20 @@ pub mod mix {
     pub const fn half(one: Kind, other: Kind) -> u64 {
         one as u64 * 0x1010_1010_1010 + other as u64 * 0x0101_0101_0101
     }
-    /// One kind at every fourth place, another at the rest.
-    pub const fn quarter(one: Kind, rest: Kind) -> u64 {
-        one as u64 * 0x1000_1000_1000 + rest as u64 * 0x0111_0111_0111
+    /// One kind at every third place, another at the rest.
+    pub const fn third(one: Kind, rest: Kind) -> u64 {
+        one as u64 * 0x1001_0010_0100 + rest as u64 * 0x0110_1101_1011
     }
     /// The digit of a place.
     pub const fn digit(mix: u64, place: usize) -> u64 {
         mix >> (4 * place) & 15
+    }
+    /// How far it is from a kind's place to its next, in mixes that hold it.
+    pub const fn step(mix: u64, kind: Kind) -> usize {
+        match count(mix, kind) {
+            0 => PLACES,
+            count => PLACES / count,
+        }
     }
     /// How many operations of a kind there are.
     pub const fn count(mix: u64, kind: Kind) -> usize {
@@ -92,7 +99,8 @@ mod tests {
         let counts = |mix| Kind::ALL.map(|kind| mix::count(mix, kind));
         assert_eq!(counts(mix::alone(Kind::Load)), [0, 0, 0, 0, 0, 0, 0, 12]);
         assert_eq!(counts(mix::half(Kind::Add, Kind::Flip)), [6, 0, 0, 0, 0, 0, 6, 0]);
-        assert_eq!(counts(mix::quarter(Kind::Select, Kind::Flip)), [0, 0, 0, 0, 0, 3, 9, 0]);
+        assert_eq!(counts(mix::third(Kind::Select, Kind::Flip)), [0, 0, 0, 0, 0, 4, 8, 0]);
+        assert_eq!(mix::step(mix::third(Kind::Select, Kind::Flip), Kind::Select), 3);
         assert_eq!(mix::digit(mix::half(Kind::Add, Kind::Flip), 0), Kind::Flip as u64);
     }
 }

@@ -72,8 +72,8 @@ impl Costs {
             Some((cycles - flips as f64 * flip) / own as f64)
         };
         let half = among(mix::half(kind, Kind::Flip)).unwrap_or(alone);
-        let quarter = among(mix::quarter(kind, Kind::Flip)).unwrap_or(alone);
-        Some(alone.min(half).min(quarter).max(0.0))
+        let third = among(mix::third(kind, Kind::Flip)).unwrap_or(alone);
+        Some(alone.min(half).min(third).max(0.0))
     }
 
     /// The least cycles of so many operations of each kind; `None` where no cost is known.
@@ -148,7 +148,7 @@ mod tests {
         }
         for kind in [Kind::Add, Kind::Multiply, Kind::Fused, Kind::Compare, Kind::Select] {
             costs.insert(mix::half(kind, Kind::Flip), 0.5);
-            costs.insert(mix::quarter(kind, Kind::Flip), 0.5);
+            costs.insert(mix::third(kind, Kind::Flip), 0.5);
         }
         costs
     }
@@ -167,11 +167,11 @@ mod tests {
         costs.insert(mix::half(Kind::Add, Kind::Fused), third);
         for kind in [Kind::Add, Kind::Multiply, Kind::Fused] {
             costs.insert(mix::half(kind, Kind::Flip), third);
-            costs.insert(mix::quarter(kind, Kind::Flip), third);
+            costs.insert(mix::third(kind, Kind::Flip), third);
         }
         for (kind, instructions) in [(Kind::Compare, 2.0), (Kind::Select, 3.0)] {
             costs.insert(mix::half(kind, Kind::Flip), (1.0 + instructions) / 6.0);
-            costs.insert(mix::quarter(kind, Kind::Flip), (3.0 + instructions) / 12.0);
+            costs.insert(mix::third(kind, Kind::Flip), (2.0 + instructions) / 9.0);
         }
         costs
     }

@@ -9,7 +9,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use fearless_simd::{Select, Simd, SimdFloat, SimdMask};
 
-use super::{Element, Mask, Real};
+use super::{Element, Mask, Real, Toggle};
 
 /// A vector register (or several) of floats of level `S`, seen as one number.
 #[derive(Clone, Copy)]
@@ -141,5 +141,16 @@ where
     #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Lanes(self.0.mul_add(factor.0, addend.0), PhantomData)
+    }
+}
+
+impl<S, V> Toggle for Lanes<S, V>
+where
+    S: Simd,
+    V: SimdFloat<S, Element: Element>,
+{
+    #[inline(always)]
+    fn toggled(self, bits: Self) -> Self {
+        Lanes(V::from_bits(self.0.to_bits() ^ bits.0.to_bits()), PhantomData)
     }
 }

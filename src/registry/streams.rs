@@ -3,7 +3,7 @@
 use crate::batch::{ArithmeticJob, Kind, mix};
 use crate::job::Job;
 use crate::level::{Level, On, available};
-use crate::number::{Element, Real};
+use crate::number::{Element, Toggle};
 
 /// A mix of operations in the registers of a level.
 pub struct OneStream {
@@ -22,8 +22,8 @@ pub struct OneStream {
 }
 
 impl OneStream {
-    /// What it is made of: a kind, two in turn (`add + flip`), or one at every fourth place
-    /// (`add + 3 flip`).
+    /// What it is made of: a kind, two in turn (`add + flip`), or one at every third place
+    /// (`add + 2 flip`).
     pub fn name(&self) -> String {
         let counts = Kind::ALL.map(|kind| (mix::count(self.mix, kind), kind.word()));
         let mut held: Vec<_> = counts.into_iter().filter(|(count, _)| *count > 0).collect();
@@ -43,7 +43,7 @@ impl OneStream {
     }
 }
 
-fn one<L: Level, R: Real + On<L>, const MIX: u64>(v: &mut Vec<OneStream>) {
+fn one<L: Level, R: Toggle + On<L>, const MIX: u64>(v: &mut Vec<OneStream>) {
     v.push(OneStream {
         mix: MIX,
         precision: R::Element::NAME,
@@ -54,30 +54,31 @@ fn one<L: Level, R: Real + On<L>, const MIX: u64>(v: &mut Vec<OneStream>) {
     });
 }
 
-/// A kind alone, in turn with flips, and with three flips to one of it.
+/// A kind alone, in turn with flips, and with two flips to one of it.
 macro_rules! among_flips {
     ($v:ident, $L:ident, $R:ident, $($kind:ident)*) => {$(
         one::<$L, $R, { mix::alone(Kind::$kind) }>($v);
         one::<$L, $R, { mix::half(Kind::$kind, Kind::Flip) }>($v);
-        one::<$L, $R, { mix::quarter(Kind::$kind, Kind::Flip) }>($v);
+        one::<$L, $R, { mix::third(Kind::$kind, Kind::Flip) }>($v);
     )*};
 }
 
-/// What every level has.
-fn plain<L: Level, R: Real + On<L>>(v: &mut Vec<OneStream>) {
+/// What every level has. Selections are not among it: twelve numbers, two masks and what SSE needs beside
+/// them are more than its registers, and there selections are not bounded.
+fn plain<L: Level, R: Toggle + On<L>>(v: &mut Vec<OneStream>) {
     one::<L, R, { mix::alone(Kind::Flip) }>(v);
     one::<L, R, { mix::alone(Kind::Divide) }>(v);
     one::<L, R, { mix::alone(Kind::Load) }>(v);
     one::<L, R, { mix::half(Kind::Add, Kind::Multiply) }>(v);
-    among_flips!(v, L, R, Add Multiply Compare Select);
+    among_flips!(v, L, R, Add Multiply Compare);
 }
 
 /// And what those have that can round a product and a sum at once.
-fn fused<L: Level, R: Real + On<L>>(v: &mut Vec<OneStream>) {
+fn fused<L: Level, R: Toggle + On<L>>(v: &mut Vec<OneStream>) {
     plain::<L, R>(v);
     one::<L, R, { mix::half(Kind::Add, Kind::Fused) }>(v);
     one::<L, R, { mix::half(Kind::Multiply, Kind::Fused) }>(v);
-    among_flips!(v, L, R, Fused);
+    among_flips!(v, L, R, Fused Select);
 }
 
 /// Every level at its native width, and AVX2 in the registers that single numbers are in as well.
@@ -129,7 +130,7 @@ mod tests {
         let ids: BTreeSet<String> = all.iter().map(OneStream::id).collect();
         assert_eq!(ids.len(), all.len());
         let names: BTreeSet<String> = all.iter().map(OneStream::name).collect();
-        for name in ["divide", "add + multiply", "fused + flip", "select + 3 flip"] {
+        for name in ["divide", "add + multiply", "fused + flip", "select + 2 flip"] {
             assert!(names.contains(name), "{name}: {names:?}");
         }
     }
