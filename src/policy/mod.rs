@@ -222,6 +222,7 @@ pub trait Policy: Copy + 'static {
     /// [`Policy::finish`] behind [`Policy::settle`], the inverse of the scale being known.
     #[inline(always)]
     fn finish_by<R: Real>(hit: R::Mask, ray: &Ray<R>, [t, u, v]: [R; 3], inverse: R) -> Found<R> {
+        let hit = Self::ordered(hit, [t, u, v]);
         let resolve = Self::Division::resolve;
         let [t, u, v] = [resolve(t, inverse), resolve(u, inverse), resolve(v, inverse)];
         Found { hit: Self::reached(hit, ray, t, inverse), t, u, v }

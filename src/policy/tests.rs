@@ -13,10 +13,10 @@ pub trait Tests: Copy + 'static {
     const PRODUCTS: bool;
     /// What a hit reports need not be finite: the form is kept as it was published.
     const AS_PUBLISHED: bool = Self::SIGN_BITS || Self::PRODUCTS;
-    /// Where `t` is in `[lower, upper]`.
-    fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask;
     /// The tests may let a NaN pass, which is looked for in what they leave.
     const LEAVES_NAN: bool = false;
+    /// Where `t` is in `[lower, upper]`.
+    fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask;
     /// Where `t` is not negative. Not asked of sign bits as printed, which flip nothing.
     #[inline(always)]
     fn ahead<R: Real>(t: R) -> R::Mask {
