@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 27] = [
+const IDS: [&str; 32] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -18,6 +18,7 @@ const IDS: [&str; 27] = [
     "b-4.9",
     "bundles",
     "calls",
+    "common-origin",
     "groups",
     "h-10",
     "h-11",
@@ -30,9 +31,13 @@ const IDS: [&str; 27] = [
     "h-double",
     "lanes",
     "layouts",
+    "memory",
+    "packets",
     "padding",
+    "parallel",
     "points",
     "precision",
+    "precompute",
     "tests-form",
     "tests-order",
 ];

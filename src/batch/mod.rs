@@ -13,9 +13,12 @@ mod layout;
 mod listed;
 mod nearest;
 mod nearest_job;
+mod packed;
 mod pairs;
 mod points;
+mod prepare_job;
 mod sharing;
+mod tiles_job;
 
 pub use arithmetic::{ArithmeticJob, OPERATIONS};
 pub use bundle::Bundle;
@@ -27,7 +30,9 @@ pub use nearest::{Nearest, WIDEST};
 pub use nearest_job::{NearestJob, NearestLoop, Shape, Storing};
 pub use pairs::Pairs;
 pub use points::Points;
+pub use prepare_job::{PrepareJob, prepare_all};
 pub use sharing::Sharing;
+pub use tiles_job::{Extent, TILE, TilesJob};
 
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Exit, Found, Output, Policy, Ray};

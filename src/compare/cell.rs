@@ -31,7 +31,7 @@ const NAMES: [&str; 20] = [
 
 /// Columns that say on what it was measured. One subject under other settings than before is not
 /// the same measurement.
-pub(super) const SETTINGS: [&str; 12] = [
+pub(super) const SETTINGS: [&str; 13] = [
     "level",
     "workload",
     "order",
@@ -44,6 +44,7 @@ pub(super) const SETTINGS: [&str; 12] = [
     "repeats",
     "seed",
     "knob",
+    "rays_per_triangle",
 ];
 
 /// The value of each of [`SETTINGS`]; empty where there is none.
