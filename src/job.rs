@@ -105,6 +105,9 @@ pub trait Job {
     }
     /// Brings the data of the block near, without a test.
     fn touch(&mut self, _block: Block) {}
+    /// Brings the caches into the state that walking over all items, again and again, leaves before
+    /// `block`. Nothing, for jobs whose data are near anyway.
+    fn approach(&mut self, _block: Block) {}
     /// Lays the items out in a new order: item `i` becomes what item `permutation[i]` of the
     /// original order was. Outside the timed window; nothing is run over the new order.
     fn permute(&mut self, permutation: &[u32]);

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 37] = [
+const IDS: [&str; 39] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -16,8 +16,8 @@ const IDS: [&str; 37] = [
     "b-4.5",
     "b-4.7",
     "b-4.9",
-    "branches",
     "branches-packets",
+    "branches",
     "bundles",
     "calls",
     "coherence",
@@ -35,6 +35,7 @@ const IDS: [&str; 37] = [
     "lanes",
     "layouts",
     "limit",
+    "memory",
     "packets",
     "padding",
     "parallel",
@@ -42,6 +43,7 @@ const IDS: [&str; 37] = [
     "peers",
     "points",
     "precision",
+    "precompute",
     "reciprocal",
     "tests-form",
     "tests-order",

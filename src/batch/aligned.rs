@@ -18,12 +18,18 @@ impl<T: Copy> Aligned<T> {
     /// A copy of `items` at the start of a line.
     pub fn new(items: &[T]) -> Self {
         let Some(filler) = items.first() else { return Aligned { memory: Vec::new(), first: 0 } };
+        let mut aligned = Aligned::filled(*filler, items.len());
+        aligned.copy_from_slice(items);
+        aligned
+    }
+
+    /// So many times `filler`, the first at the start of a line.
+    pub fn filled(filler: T, count: usize) -> Self {
         // After as many items as a line has bytes, every place that can be reached was.
-        let mut memory = vec![*filler; items.len() + LINE];
+        let mut memory = vec![filler; count + LINE];
         let behind = |first: &usize| memory[*first..].as_ptr().addr() % LINE;
         let first = (0..LINE).min_by_key(behind).unwrap_or(0);
-        memory[first..first + items.len()].copy_from_slice(items);
-        memory.truncate(first + items.len());
+        memory.truncate(first + count);
         Aligned { memory, first }
     }
 }

@@ -18,6 +18,11 @@ pub trait Layout: 'static {
     /// Where a number of a triangle lies; `places` are the numbers of a record, `count` is the number
     /// of triangles, filled up.
     fn position(triangle: usize, place: usize, places: usize, count: usize) -> usize;
+    /// In how many runs of numbers, each without a gap and as far from the next as from the one
+    /// before, some steps of triangles in a row lie, where a record has `places` numbers.
+    fn runs(_places: usize) -> usize {
+        1
+    }
     /// One triangle after the other.
     type Walk<'a, E: Element>: Iterator<Item: Source<E>>;
     /// All triangles of `numbers`, the first `count`.
@@ -67,6 +72,9 @@ impl Layout for Soa {
     const STEP: usize = 16;
     fn position(triangle: usize, place: usize, _: usize, count: usize) -> usize {
         place * count + triangle
+    }
+    fn runs(places: usize) -> usize {
+        places
     }
     type Walk<'a, E: Element> = Columns<'a, E>;
     #[inline(always)]

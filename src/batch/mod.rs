@@ -14,12 +14,15 @@ mod layout;
 mod listed;
 mod nearest;
 mod nearest_job;
+mod packed;
 mod pairs;
 #[cfg(feature = "peers")]
 mod peers;
 mod points;
+mod prepare_job;
 mod sharing;
 mod stream;
+mod tiles_job;
 
 pub use arithmetic::{ArithmeticJob, OPERATIONS};
 pub use best::Best;
@@ -35,8 +38,10 @@ pub use pairs::Pairs;
 #[cfg(feature = "peers")]
 pub use peers::PeerPairs;
 pub use points::Points;
+pub use prepare_job::{PrepareJob, prepare_all};
 pub use sharing::{Sharing, step_shared};
 pub use stream::Stream;
+pub use tiles_job::{Extent, TILE, TilesJob};
 
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Exit, Found, Output, Policy, Ray};

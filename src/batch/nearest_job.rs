@@ -6,6 +6,7 @@ use super::aligned::Aligned;
 use super::best::ANSWER_NUMBERS;
 use super::layout::{Layout, lay_out, length};
 use super::nearest::{RAY_NUMBERS, Scene};
+use super::packed::{self, pack, unpack};
 use crate::job::{Answer, Block, Job, Tally};
 use crate::number::Element;
 use crate::policy::Ray;
@@ -27,14 +28,18 @@ pub struct Shape {
 /// How records are written in a layout.
 #[derive(Clone, Copy)]
 pub struct Storing<E, T> {
-    length: fn(&[T]) -> usize,
-    lay_out: fn(&[T], &mut [E]),
+    /// As [`length`].
+    pub length: fn(&[T]) -> usize,
+    /// As [`lay_out`].
+    pub lay_out: fn(&[T], &mut [E]),
+    /// As [`Layout::runs`].
+    pub runs: fn(usize) -> usize,
 }
 
 impl<E: Element, T: AsRef<[E]>> Storing<E, T> {
     /// In layout `Y`.
     pub fn of<Y: Layout>() -> Self {
-        Storing { length: length::<E, T, Y>, lay_out: lay_out::<E, T, Y> }
+        Storing { length: length::<E, T, Y>, lay_out: lay_out::<E, T, Y>, runs: Y::runs }
     }
 }
 
@@ -60,12 +65,7 @@ impl<E: Element, T: Copy> NearestJob<E, T> {
         storing: Storing<E, T>,
         run: NearestLoop<E>,
     ) -> Self {
-        let mut original = Vec::with_capacity(rays.len() * RAY_NUMBERS);
-        for packet in rays.chunks_exact(shape.lanes) {
-            for row in 0..RAY_NUMBERS {
-                original.extend(packet.iter().map(|ray| ray_number(ray, row)));
-            }
-        }
+        let original = pack(rays, shape.lanes);
         let mut numbers = vec![E::ZERO; (storing.length)(&records)];
         (storing.lay_out)(&records, &mut numbers);
         NearestJob {
@@ -80,38 +80,6 @@ impl<E: Element, T: Copy> NearestJob<E, T> {
             run,
         }
     }
-}
-
-/// The `row`-th number of a ray, in the order of [`RAY_NUMBERS`].
-fn ray_number<E: Element>(ray: &Ray<E>, row: usize) -> E {
-    match row {
-        0..3 => ray.origin.0[row],
-        3..6 => ray.direction.0[row - 3],
-        6..9 => ray.end.0[row - 6],
-        9 => ray.t_min,
-        _ => ray.t_max,
-    }
-}
-
-/// The tally of packets' answers, of which the first `outputs` numbers are reported. Here, once per
-/// element type, rather than in every form: a packet has been through all triangles by then.
-fn sum<E: Element>(answers: &[E], lanes: usize, outputs: usize) -> Tally {
-    let mut tally = Tally::default();
-    for packet in answers.chunks_exact(ANSWER_NUMBERS * lanes) {
-        let (triangles, numbers) = packet.split_at(lanes);
-        for (sum, row) in tally.bits.iter_mut().zip(numbers.chunks_exact(lanes)).take(outputs) {
-            for (number, triangle) in row.iter().zip(triangles) {
-                *sum = sum.wrapping_add(number.bits() & keep(*triangle));
-            }
-        }
-        tally.hits += triangles.iter().map(|triangle| keep(*triangle) & 1).sum::<u64>();
-    }
-    tally
-}
-
-/// All bits where a triangle was hit, none where its number is -1.
-fn keep<E: Element>(triangle: E) -> u64 {
-    u64::from(triangle.ge(E::ZERO)).wrapping_neg()
 }
 
 impl<E: Element, T: Copy> Job for NearestJob<E, T> {
@@ -135,7 +103,7 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
             };
             (self.run)(scene);
             let found = &self.answers[first * answer..(first + items) * answer];
-            tally = tally.plus(sum(found, self.shape.lanes, self.shape.outputs));
+            tally = tally.plus(packed::tally(found, self.shape.lanes, self.shape.outputs));
         };
         if block.literal {
             for first in block.first..block.first + block.items {
@@ -179,23 +147,6 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
         self.laid_out.copy_from_slice(&self.original);
         (self.storing.lay_out)(&self.original_records, &mut self.numbers);
         self.run(Block::whole(self));
-        let lanes = self.shape.lanes;
-        let mut answers = Vec::with_capacity(self.items() * self.shape.rays);
-        for packet in self.answers.chunks_exact(ANSWER_NUMBERS * lanes) {
-            for lane in 0..lanes {
-                let number = |row: usize| packet[row * lanes + lane].to_f64();
-                let triangle = (number(0) >= 0.0).then_some(number(0) as usize);
-                answers.push(Answer {
-                    triangle,
-                    t: number(1),
-                    u: number(2),
-                    v: number(3),
-                    point: [number(4), number(5), number(6)],
-                    normal: [number(7), number(8), number(9)],
-                    code: 255,
-                });
-            }
-        }
-        answers
+        unpack(&self.answers, self.shape.lanes)
     }
 }

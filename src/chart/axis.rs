@@ -65,6 +65,11 @@ impl Axis {
         value.is_finite() && (!self.log || value > 0.0)
     }
 
+    /// Whether a value lies between the ends of the axis.
+    pub fn reaches(&self, value: f64) -> bool {
+        (self.low..=self.high).contains(&value)
+    }
+
     /// Place of a value from 0 (low end) to 1 (high end).
     pub fn place(&self, value: f64) -> f64 {
         let of = |value: f64| if self.log { value.max(f64::MIN_POSITIVE).ln() } else { value };

@@ -133,6 +133,9 @@ pub struct Figure {
     pub normalise_to: Option<String>,
     /// A value of y at which a line is drawn across, for instance 1 for ratios.
     pub reference: Option<f64>,
+    /// `lines` only: column(s) of values of x at which an upright line is drawn, named by its label.
+    #[serde(default)]
+    pub x_marks: Names,
     /// Column over whose values rows are put together, for instance `seed`, for `lines` and `bars`:
     /// one point for all of them, at the median, with the smallest and the largest as its interval.
     pub over: Option<String>,
@@ -204,6 +207,9 @@ impl Figure {
                 .columns
                 .iter()
                 .try_for_each(|column| self.numeric_column("envelope", column))?;
+        }
+        for column in self.x_marks.list() {
+            self.numeric_column("x_marks", column)?;
         }
         if let Some(column) = &self.y_below {
             self.numeric_column("y_below", column)?;

@@ -7,7 +7,7 @@ impl Figure {
     /// Refuses a key that the kind of chart does not look at: it would be silently without effect.
     pub(super) fn validate_use(&self) -> Result<(), ChartError> {
         use Kind::{Bars, Heat, Lines, Precision, Shares};
-        let uses: [(&'static str, bool, &[Kind]); 18] = [
+        let uses: [(&'static str, bool, &[Kind]); 19] = [
             ("envelope", self.envelope.is_some(), &[Lines]),
             ("bound", self.bound.is_some(), &[Bars]),
             ("shown", self.shown.is_some(), &[Heat]),
@@ -21,6 +21,7 @@ impl Figure {
             ("over", self.over.is_some(), &[Lines, Bars]),
             ("scale", self.scale == Scale::Log, &[Lines, Bars]),
             ("x_scale", self.x_scale == Scale::Log, &[Lines]),
+            ("x_marks", !self.x_marks.list().is_empty(), &[Lines]),
             ("normalise_to", self.normalise_to.is_some(), &[Lines, Bars, Shares]),
             ("reference", self.reference.is_some(), &[Lines, Bars]),
             ("x_low", self.x_low.is_some(), &[Precision]),

@@ -7,6 +7,7 @@ use super::frame::{Frame, SMALL};
 use super::labels;
 use super::palette::{GREY, INK, LEADER, style};
 use super::select::Point;
+use super::upright::Upright;
 use std::collections::BTreeMap;
 
 /// Distance of two labels.
@@ -21,6 +22,8 @@ pub(super) struct Plan {
     pub published: Vec<Point>,
     /// What may be expected of every series, see [`super::envelope`].
     pub envelope: Vec<Point>,
+    /// Marks on the x axis.
+    pub marks: Vec<Upright>,
     /// Per panel the series that are drawn together.
     pub crowds: BTreeMap<String, Vec<String>>,
     pub panels: Vec<String>,

@@ -9,6 +9,7 @@ use super::line_marks::{Area, LABEL_GAP, LABEL_INDENT, Plan, label, series_drawn
 use super::palette::{FAINT, GREY, INK, LEADER};
 use super::published::{Measure, Published};
 use super::select::{self, Point, Selection};
+use super::upright;
 use super::{ChartError, text};
 use crate::table::Row;
 
@@ -32,7 +33,8 @@ pub(super) fn draw(
         y_title = format!("{y_title}, relative to {} at {x} {first}", figure.label(base));
     }
     let envelope = envelope::points(figure, &selection.rows);
-    let (plan, hidden) = plan(figure, panels, (ours, theirs, envelope))?;
+    let (mut plan, hidden) = plan(figure, panels, (ours, theirs, envelope))?;
+    plan.marks = upright::of(figure, &selection.rows);
     y_title.push_str(match figure.scale {
         Scale::Log => " (log scale)",
         Scale::Linear if !plan.y.has_zero() => " (the axis does not start at 0)",
@@ -93,7 +95,8 @@ fn plan(
     let crowds = envelope::crowds(figure, &ours);
     let series =
         envelope::by_standing_out(select::distinct(&named, |point| &point.series), &crowds);
-    Ok((Plan { ours, published, envelope, crowds, panels, series, x, y }, hidden))
+    let marks = Vec::new();
+    Ok((Plan { ours, published, envelope, marks, crowds, panels, series, x, y }, hidden))
 }
 
 fn panels_drawn(
@@ -157,6 +160,7 @@ fn panel_drawn(
         Area { left: room.left, right: room.left + room.plot, top, bottom: top + room.height };
     envelope::drawn(frame, plan, panel, &area);
     axes(frame, figure, plan, &area, labelled);
+    upright::drawn(frame, plan, &area);
     series_drawn(frame, figure, plan, panel, &area);
     let x_title = figure.x_title.clone().unwrap_or_else(|| title(&figure.x.list().join(" ")));
     let mut under = area.bottom + 36.0;

@@ -28,6 +28,7 @@ mod svg;
 #[cfg(test)]
 mod tests;
 mod text;
+mod upright;
 mod wanted;
 
 pub use envelope::Envelope;

@@ -65,6 +65,7 @@ fn blank(file: String, kind: Kind, question: String) -> Figure {
         scale: Scale::Linear,
         x_scale: Scale::Linear,
         normalise_to: None,
+        x_marks: Names::default(),
         reference: None,
         envelope: None,
         bound: None,

@@ -32,7 +32,7 @@ const NAMES: [&str; 21] = [
 
 /// Columns that say on what it was measured. One subject under other settings than before is not
 /// the same measurement.
-pub(super) const SETTINGS: [&str; 13] = [
+pub(super) const SETTINGS: [&str; 14] = [
     "level",
     "workload",
     "order",
@@ -46,6 +46,7 @@ pub(super) const SETTINGS: [&str; 13] = [
     "repeats",
     "seed",
     "knob",
+    "rays_per_triangle",
 ];
 
 /// The value of each of [`SETTINGS`]; empty where there is none.

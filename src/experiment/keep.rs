@@ -143,8 +143,12 @@ impl Bench<'_> {
 
     /// Tells the progress of a group of so many subjects that need not be measured.
     pub fn pass_over(&mut self, subjects: usize) {
-        let contestants = subjects + CONTROLS;
         let protocol = Protocol { rounds: self.rounds, ..Protocol::new(Order::Fixed, 0) };
+        self.pass_over_as(&protocol, subjects + CONTROLS);
+    }
+
+    /// The same of so many contestants that would be measured by a protocol of their own.
+    pub fn pass_over_as(&mut self, protocol: &Protocol, contestants: usize) {
         (self.progress)(protocol.planned_rounds(contestants) * contestants);
     }
 }

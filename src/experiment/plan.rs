@@ -5,6 +5,7 @@ use super::calls::CALL_CONTROLS;
 use super::cells::{CONTROLS, MOST_SUBJECTS};
 use super::codes::USUAL_EXITS;
 use super::config::{ConfigError, Experiment};
+use super::precompute::PrecomputeWorkload;
 use super::select::select;
 use super::workload::Workload;
 use crate::measure::{Order, Protocol};
@@ -91,9 +92,12 @@ impl Plan {
                     .flat_map(|order| nearest.spreads().into_iter().map(|spread| (spread, *order)))
                     .collect()
             }
-            Workload::Codes(_) | Workload::Counts | Workload::Arithmetic | Workload::Errors(_) => {
-                Vec::new()
-            }
+            Workload::Codes(_)
+            | Workload::Counts
+            | Workload::Arithmetic
+            | Workload::Errors(_)
+            | Workload::Memory(_) => Vec::new(),
+            Workload::Precompute(_) => vec![(None, Order::Fixed)],
         }
     }
 
@@ -106,7 +110,16 @@ impl Plan {
     /// warm-up passes and calibration. Reshuffled blocks are
     /// about as much shorter as they are more.
     pub fn seconds(&self, profile: Profile) -> f64 {
-        self.blocks_as(profile, |_| Order::Fixed) as f64 * 120e-6
+        let around = match &self.experiment.workload {
+            Workload::Memory(sets) => sets.seconds_around(&self.ready(), profile.rounds()),
+            _ => 0.0,
+        };
+        self.blocks_as(profile, |_| Order::Fixed) as f64 * 120e-6 + around
+    }
+
+    /// The variants that run on this processor.
+    pub(super) fn ready(&self) -> Vec<&'static Variant> {
+        self.variants.iter().copied().filter(|variant| (variant.available)()).collect()
     }
 
     /// [`Plan::blocks`], of other orders.
@@ -115,15 +128,20 @@ impl Plan {
             let protocol = Protocol { rounds: profile.rounds(), ..Protocol::new(order, 0) };
             protocol.planned_rounds(contestants) * contestants
         };
-        let ready = self.variants.iter().filter(|variant| (variant.available)());
-        let singles = ready.clone().filter(|variant| variant.lanes == 1).count();
-        let ready = ready.count();
-        if let Workload::Codes(codes) = &self.experiment.workload {
-            return ready * codes.orders.len() * rounds(USUAL_EXITS + CONTROLS, Order::Fixed);
-        }
-        if matches!(self.experiment.workload, Workload::Arithmetic) {
-            return rounds(units().len() + CONTROLS, Order::Fixed);
-        }
+        let ready = self.ready();
+        let more = match &self.experiment.workload {
+            Workload::Memory(sets) => return sets.blocks(&ready, profile.rounds()),
+            Workload::Codes(codes) => {
+                let of_listing = rounds(USUAL_EXITS + CONTROLS, Order::Fixed);
+                return ready.len() * codes.orders.len() * of_listing;
+            }
+            Workload::Arithmetic => return rounds(units().len() + CONTROLS, Order::Fixed),
+            Workload::Precompute(_) => {
+                rounds(PrecomputeWorkload::contestants(&ready), Order::Fixed)
+            }
+            _ => 0,
+        };
+        let singles = ready.iter().filter(|variant| variant.lanes == 1).count();
         let in_groups = |subjects: usize, controls: usize, order: Order| {
             let rest = match subjects % MOST_SUBJECTS {
                 0 => 0,
@@ -133,10 +151,10 @@ impl Plan {
         };
         // Single rays are measured three times: in a loop, cold, and each after the other.
         let calls = 2 * in_groups(singles, CALL_CONTROLS, Order::Fixed);
-        let of_cell = |order: Order| in_groups(ready, CONTROLS, order_of(order)) + calls;
+        let of_cell = |order: Order| in_groups(ready.len(), CONTROLS, order_of(order)) + calls;
         let of_streams = |streams: usize| rounds(streams + CONTROLS, Order::Fixed);
         let bounds = if self.experiment.bounds { bounds::group_sizes() } else { Vec::new() };
         let cells: usize = self.cells().into_iter().map(|(_, order)| of_cell(order)).sum();
-        cells + bounds.into_iter().map(of_streams).sum::<usize>()
+        cells + bounds.into_iter().map(of_streams).sum::<usize>() + more
     }
 }

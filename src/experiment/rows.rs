@@ -1,7 +1,7 @@
 //! Rows from what was measured and judged.
 
 use super::scene::Scene;
-use crate::job::{Block, Job};
+use crate::job::{Block, Job, Tally};
 use crate::measure::{Figures, GroupReport, Invalid, Order, Status};
 use crate::registry::Variant;
 use crate::rows::of_variant;
@@ -33,7 +33,11 @@ pub fn blank(experiment: &str, variant: &Variant, scene: &Scene, order: Order) -
 
 /// Hash of what one pass over a job finds: equal bits, equal hash.
 pub fn outputs_hash(job: &mut dyn Job) -> String {
-    let tally = job.run(Block::whole(job));
+    tally_hash(&job.run(Block::whole(job)))
+}
+
+/// Hash of what was found.
+pub fn tally_hash(tally: &Tally) -> String {
     let mut hash = Fnv::default();
     for sum in std::iter::once(tally.hits).chain(tally.bits) {
         hash.bytes(&sum.to_le_bytes());

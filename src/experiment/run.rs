@@ -9,7 +9,9 @@ use super::plan::Plan;
 use super::rows::put_percent_slower;
 use super::scene::Scene;
 use super::workload::Workload;
-use super::{arithmetic, bounds, codes, counts, errors, points, prices, stiff, useful};
+use super::{
+    arithmetic, bounds, codes, counts, errors, memory, points, precompute, prices, stiff, useful,
+};
 use crate::measure::{Order, ProtocolError};
 use crate::table::Row;
 use crate::workload::WorkloadError;
@@ -70,24 +72,13 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
         Workload::Codes(codes) => {
             outcome.take(codes::run(id, &plan.variants, codes, seed, bench)?);
         }
+        Workload::Memory(sets) => outcome.take(memory::run(plan, sets, bench)?),
+        Workload::Precompute(forms) => outcome.take(precompute::run(plan, forms, bench)?),
         Workload::Arithmetic => outcome.rows = arithmetic::run(id, seed, bench)?,
         Workload::Errors(hits) => {
             outcome.rows = errors::rows(id, &plan.variants, hits, seed, bench.cancel);
         }
-        _ => {
-            for (number, (density, order)) in plan.cells().into_iter().enumerate() {
-                if bench.cancel.load(Ordering::Relaxed) {
-                    break;
-                }
-                let scene = scene(plan, density, order)?;
-                let density = density.map_or(String::new(), |density| format!(" {density}"));
-                // The number alone would do; the rest is for whoever reads the journal.
-                let cell = format!("cell {number} {order}{density}");
-                let mut measured = run_cell(plan, &scene, order, bench, &cell)?;
-                useful::put(&mut measured.rows, &scene);
-                outcome.take(measured);
-            }
-        }
+        _ => run_cells(plan, bench, &mut outcome)?,
     }
     bounds::put(&mut outcome.rows, &plan.variants, &streams);
     outcome.rows.extend(streams);
@@ -105,6 +96,23 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
     }
     outcome.interrupted = bench.cancel.load(Ordering::Relaxed);
     Ok(outcome)
+}
+
+/// Runs the cells of workloads that have some.
+fn run_cells(plan: &Plan, bench: &mut Bench<'_>, outcome: &mut Outcome) -> Result<(), Trouble> {
+    for (number, (density, order)) in plan.cells().into_iter().enumerate() {
+        if bench.cancel.load(Ordering::Relaxed) {
+            break;
+        }
+        let scene = scene(plan, density, order)?;
+        let density = density.map_or(String::new(), |density| format!(" {density}"));
+        // The number alone would do; the rest is for whoever reads the journal.
+        let cell = format!("cell {number} {order}{density}");
+        let mut measured = run_cell(plan, &scene, order, bench, &cell)?;
+        useful::put(&mut measured.rows, &scene);
+        outcome.take(measured);
+    }
+    Ok(())
 }
 
 /// Runs a cell. One with priced forms is one piece, since prices are made of all its samples.
@@ -153,7 +161,12 @@ fn scene(plan: &Plan, density: Option<f64>, order: Order) -> Result<Scene, Workl
         Workload::Pairs(pairs) => Scene::pairs(pairs, density.unwrap_or(0.5), order, seed),
         Workload::Points(points) => points::scene(points, density.unwrap_or(0.5), order, seed),
         Workload::Nearest(nearest) => Scene::nearest(nearest, density, order, seed),
-        Workload::Codes(_) | Workload::Counts | Workload::Arithmetic | Workload::Errors(_) => {
+        Workload::Codes(_)
+        | Workload::Counts
+        | Workload::Arithmetic
+        | Workload::Errors(_)
+        | Workload::Memory(_)
+        | Workload::Precompute(_) => {
             unreachable!("these have no cells")
         }
     }

@@ -2,7 +2,8 @@
 
 use std::cell::OnceCell;
 
-use super::workload::{NearestWorkload, PairsWorkload};
+use super::nearest_workload::NearestWorkload;
+use super::workload::PairsWorkload;
 use crate::accuracy::{Judgement, NearestTruth, Reported, Truth, judge, judge_nearest};
 use crate::job::Job;
 use crate::measure::Order;

@@ -2,10 +2,13 @@
 
 use serde::Deserialize;
 
+use super::memory_workload::MemoryWorkload;
+use super::nearest_workload::NearestWorkload;
+use super::precompute::PrecomputeWorkload;
 use super::stiff::StiffWorkload;
 use crate::measure::Order;
 use crate::registry::Variant;
-use crate::workload::{self, Generator, NearestSpec, QueryKind, Winding};
+use crate::workload::{Generator, QueryKind, Winding};
 
 /// What variants are run on.
 #[derive(Clone, Debug, Deserialize)]
@@ -23,6 +26,10 @@ pub enum Workload {
     Counts,
     /// Multiplications and additions alone, at every level.
     Arithmetic,
+    /// Sets of growing size, from caches to memory.
+    Memory(MemoryWorkload),
+    /// Stored forms against rays per triangle.
+    Precompute(PrecomputeWorkload),
     /// Errors of random hits over several seeds; no clock.
     Errors(ErrorsWorkload),
 }
@@ -67,44 +74,6 @@ fn fixed_pairs() -> usize {
 /// A block of 20 us.
 fn reshuffled_pairs() -> usize {
     1000
-}
-
-/// Rays against all triangles.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct NearestWorkload {
-    /// Number of triangles, the same in both orders.
-    #[serde(default = "triangles")]
-    pub triangles: usize,
-    /// Rays in `fixed` order; a multiple of 16.
-    #[serde(default = "fixed_rays")]
-    pub rays: usize,
-    /// Rays in `reshuffled` order, of which each block takes others.
-    #[serde(default = "reshuffled_rays")]
-    pub reshuffled_rays: usize,
-    /// `random`, `coherent`, `parallel` or `bunches`.
-    #[serde(default)]
-    pub coherence: workload::Kind,
-    /// Of bunches: how far their rays lie apart, a set of rays for each.
-    #[serde(default)]
-    pub spread: Vec<f64>,
-    /// Orders in which the rays are tested.
-    pub orders: Vec<Order>,
-}
-
-/// Few: the tests of 16 rays are as many as pairs, for a predictor to remember. And a block has many
-/// rays, which differ more than anything else: where a near hit comes early in the list, all that
-/// follow are rejected by their distance.
-fn triangles() -> usize {
-    32
-}
-
-fn fixed_rays() -> usize {
-    16
-}
-
-fn reshuffled_rays() -> usize {
-    256
 }
 
 /// Points of the planes of triangles.
@@ -160,33 +129,12 @@ impl Workload {
     /// # Errors
     /// Where it cannot, and what is allowed.
     pub(super) fn suits(&self, variant: &Variant) -> Result<(), String> {
-        let Workload::Nearest(nearest) = self else { return Ok(()) };
-        let numbers = [("rays", nearest.rays), ("reshuffled_rays", nearest.reshuffled_rays)];
-        let together = variant.rays;
-        if let Some((key, rays)) =
-            numbers.into_iter().find(|(_, rays)| !rays.is_multiple_of(together))
-        {
-            return Err(format!(
-                "workload.{key}: {rays} is not allowed; allowed: multiples of {together}, the rays \
-                 that {} takes together",
-                variant.id()
-            ));
+        match self {
+            Workload::Nearest(nearest) => nearest.suits(variant),
+            Workload::Precompute(forms) => forms.tests().suits(variant),
+            Workload::Memory(_) => MemoryWorkload::suits(variant),
+            _ => Ok(()),
         }
-        let needed = match variant.axes.drive.split_once('-') {
-            Some((_, "common-origin")) => workload::Kind::Coherent,
-            Some((_, "parallel")) => workload::Kind::Parallel,
-            _ => return Ok(()),
-        };
-        if nearest.coherence != needed {
-            return Err(format!(
-                "workload.coherence: {} is not allowed; allowed: {}, what the rays of {} have in \
-                 common",
-                nearest.coherence.word(),
-                needed.word(),
-                variant.id()
-            ));
-        }
-        Ok(())
     }
 
     /// Refuses what can be seen to be wrong before anything runs.
@@ -202,6 +150,8 @@ impl Workload {
             Workload::Points(points) => points.validate(),
             Workload::Codes(codes) => codes.validate(),
             Workload::Errors(errors) => errors.validate(),
+            Workload::Memory(memory) => memory.validate(),
+            Workload::Precompute(forms) => forms.validate(),
             Workload::Counts | Workload::Arithmetic => Ok(()),
         }
     }
@@ -217,7 +167,7 @@ pub(super) fn in_range(key: &str, value: usize, least: usize) -> Result<(), Stri
     Err(format!("workload.{key}: {value} is not allowed; allowed: {least} to {MOST}"))
 }
 
-fn some<T>(key: &str, list: &[T]) -> Result<(), String> {
+pub(super) fn some<T>(key: &str, list: &[T]) -> Result<(), String> {
     if list.is_empty() { Err(format!("workload.{key}: at least one is needed")) } else { Ok(()) }
 }
 
@@ -253,37 +203,6 @@ impl PointsWorkload {
         some("orders", &self.orders)?;
         in_range("count", self.count, 1)?;
         in_range("reshuffled_count", self.reshuffled_count, 1)
-    }
-}
-
-impl NearestWorkload {
-    /// The spread of each set; one set without where none is stated.
-    pub(super) fn spreads(&self) -> Vec<Option<f64>> {
-        if self.spread.is_empty() {
-            vec![None]
-        } else {
-            self.spread.iter().copied().map(Some).collect()
-        }
-    }
-    /// What is drawn.
-    pub(super) fn spec(&self, rays: usize, spread: Option<f64>, seed: u64) -> NearestSpec {
-        let (triangles, kind) = (self.triangles, self.coherence);
-        NearestSpec { triangles, rays, kind, spread: spread.unwrap_or(0.0) as f32, seed }
-    }
-    fn validate(&self) -> Result<(), String> {
-        some("orders", &self.orders)?;
-        if self.orders.contains(&Order::Literal) {
-            return Err("workload.orders: literal is not allowed; allowed for nearest: fixed, \
-                        reshuffled (one ray's walk over all triangles is one item)"
-                .to_owned());
-        }
-        for (key, rays) in [("rays", self.rays), ("reshuffled_rays", self.reshuffled_rays)] {
-            for spread in self.spreads() {
-                let spec = self.spec(rays, spread, 0);
-                spec.validate().map_err(|error| format!("workload.{key}: {error}"))?;
-            }
-        }
-        Ok(())
     }
 }
 

@@ -67,7 +67,7 @@ mod tests {
             assert_eq!(dependent.run(block), plain.run(block));
             let first = |call: &Call| match call {
                 Call::Run { block, .. } => (block.first, block.items, block.repeats),
-                Call::Permute(_) => unreachable!("nothing was permuted"),
+                _ => unreachable!("nothing but runs"),
             };
             let firsts: Vec<_> = calls.borrow().iter().map(first).collect();
             let wanted: Vec<_> = if literal {

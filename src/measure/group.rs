@@ -119,7 +119,8 @@ fn prepare(
         if protocol.guards {
             runner.check_doubling(&mut surroundings.instruments(rng, &mut 0));
         }
-        if protocol.order == Order::Fixed && runner.invalid.is_none() {
+        let alone = protocol.order == Order::Fixed && protocol.pace != Pace::Walk;
+        if alone && runner.invalid.is_none() {
             let mut spare_blocks = protocol.spare_blocks(1);
             runner.run_solo(&mut surroundings.instruments(rng, &mut spare_blocks));
         }

@@ -29,12 +29,16 @@ pub(super) fn doubling(
     clock: &mut dyn Clock,
     rng: &mut Pcg64Mcg,
 ) -> Option<f64> {
-    let whole = plan.block(job.items(), 0);
+    let whole = plan.block(job.items(), plan.trial_window());
     let (half, share) = half_of(whole)?;
     let mut ns = |block| match plan.order {
         Order::Reshuffled => {
             let order = permutation(rng, job.items());
             lay_out(rng, job, &order);
+            timed(job, block, clock).0
+        }
+        _ if plan.walks => {
+            job.approach(block);
             timed(job, block, clock).0
         }
         Order::Fixed => {
@@ -96,7 +100,7 @@ mod tests {
     fn work_that_is_done_doubles() {
         for order in [Order::Literal, Order::Fixed, Order::Reshuffled] {
             let repeats = if order == Order::Reshuffled { 1 } else { 65 };
-            let plan = Plan { order, windows: 1, repeats };
+            let plan = Plan { order, windows: 1, repeats, walks: false };
             assert_eq!(found(10, 0, plan), None, "{order}");
         }
     }
@@ -104,7 +108,7 @@ mod tests {
     #[test]
     fn work_that_was_folded_away_does_not() {
         for (repeats, order) in [(65, Order::Fixed), (64, Order::Literal), (1, Order::Reshuffled)] {
-            let plan = Plan { order, windows: 1, repeats };
+            let plan = Plan { order, windows: 1, repeats, walks: false };
             let times = found(0, 5000, plan).expect("takes the same for half of it");
             assert!((0.9..1.1).contains(&times), "{times}");
         }
@@ -112,7 +116,7 @@ mod tests {
 
     #[test]
     fn a_single_item_has_no_half() {
-        let plan = Plan { order: Order::Reshuffled, windows: 100, repeats: 1 };
+        let plan = Plan { order: Order::Reshuffled, windows: 100, repeats: 1, walks: false };
         assert_eq!(found(0, 5000, plan), None);
     }
 

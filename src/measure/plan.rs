@@ -3,7 +3,7 @@
 use super::calibrate::{repeats, shortest_ns, timed};
 use super::clock::Clock;
 use super::contestant::Contestant;
-use super::protocol::{Order, Protocol};
+use super::protocol::{Order, Pace, Protocol};
 use super::shuffle::{lay_out, permutation, shuffle};
 use crate::job::{Block, Job};
 use rand_pcg::Pcg64Mcg;
@@ -13,7 +13,7 @@ use rand_pcg::Pcg64Mcg;
 /// many items as it can and one block is like another.
 const IN_A_ROW: usize = 64;
 
-/// Items that are looked at to guess what an item costs under [`Order::Literal`].
+/// Items that are looked at to guess what an item costs under [`Order::Literal`] and on a walk.
 const PROBED_ITEMS: usize = 256;
 
 /// The blocks of one contestant.
@@ -26,6 +26,8 @@ pub(super) struct Plan {
     pub windows: usize,
     /// Repeats of a block, the same in all rounds.
     pub repeats: usize,
+    /// Whether blocks are those of a walk that goes on: [`Pace::Walk`].
+    pub walks: bool,
 }
 
 impl Plan {
@@ -41,6 +43,12 @@ impl Plan {
         shuffle(rng, &mut order);
         order.extend((0..first as u32).chain(end as u32..items as u32));
         order
+    }
+
+    /// A window to try things out on before anything is measured: of a walk, one that the first rounds
+    /// do not come to, for what was looked at is near for a while.
+    pub fn trial_window(&self) -> usize {
+        if self.walks { self.windows / 2 } else { 0 }
     }
 
     /// The block of a window. Under [`Order::Reshuffled`] its items were laid out in front.
@@ -73,13 +81,17 @@ pub(super) fn shared_windows(
         let job = contestant.job.as_mut();
         smallest = smallest.min(job.items());
         walks += job.items() * job.tests_per_item() as usize / lanes;
+        if protocol.pace == Pace::Walk {
+            windows = windows.max(walk_windows(job, protocol, clock));
+            continue;
+        }
         windows = windows.max(match protocol.order {
             Order::Fixed => fixed_windows(job, protocol, clock),
             Order::Literal => literal_windows(job, protocol, clock),
             Order::Reshuffled => 1,
         });
     }
-    if protocol.order == Order::Fixed {
+    if protocol.order == Order::Fixed && protocol.pace != Pace::Walk {
         windows = windows.max(walks.div_ceil(PREDICTED_TESTS));
     }
     windows.min(smallest)
@@ -96,6 +108,19 @@ pub const PREDICTED_TESTS: usize = 4_000;
 fn fixed_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
     let whole = Block::whole(job);
     in_blocks(shortest_ns(job, whole, clock), protocol.block_ns)
+}
+
+/// The same, told by a part of a pass that begins in the middle of it.
+fn walk_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
+    let items = job.items().min(PROBED_ITEMS);
+    let probe = Block { first: (job.items() - items) / 2, items, repeats: 1, literal: false };
+    let mut probe_ns = u64::MAX;
+    for _ in 0..3 {
+        job.approach(probe);
+        probe_ns = probe_ns.min(timed(job, probe, clock).0);
+    }
+    let pass_ns = probe_ns as f64 / items as f64 * job.items() as f64;
+    in_blocks(pass_ns as u64, protocol.block_ns)
 }
 
 /// Blocks that a pass is cut into.
@@ -128,10 +153,16 @@ pub(super) fn plan(
     rng: &mut Pcg64Mcg,
 ) -> Plan {
     let job = contestant.job.as_mut();
-    let mut plan = Plan { order: protocol.order, windows: shared_windows, repeats: 1 };
+    let walks = protocol.pace == Pace::Walk;
+    let mut plan = Plan { order: protocol.order, windows: shared_windows, repeats: 1, walks };
     if contestant.role.is_orderless() {
         plan.order = Order::Fixed;
         plan.windows = 1;
+        plan.walks = false;
+    }
+    if plan.walks && plan.windows > 1 {
+        // A second time the window would be near.
+        return plan;
     }
     let least = match plan.order {
         Order::Reshuffled => {
@@ -148,7 +179,7 @@ pub(super) fn plan(
 
 /// The plan of a cold contestant: one item a block, the next round's block the next item.
 pub(super) fn cold_plan(items: usize) -> Plan {
-    Plan { order: Order::Fixed, windows: items, repeats: 1 }
+    Plan { order: Order::Fixed, windows: items, repeats: 1, walks: false }
 }
 
 /// Each trial pass has a permutation of its own, for a second pass over one is 2 to 4 times faster
@@ -178,7 +209,7 @@ pub(super) fn align(plan: &mut Plan, items: usize, reference: Plan) {
         let quotient = own as f64 / other as f64;
         quotient <= times && 1.0 / quotient <= times
     };
-    if plan.order != reference.order {
+    if plan.order != reference.order || plan.walks {
         return;
     }
     if within(plan.repeats, reference.repeats, 1.5) {

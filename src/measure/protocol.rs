@@ -37,6 +37,9 @@ impl fmt::Display for Order {
 pub enum Pace {
     /// As fast as they come; the next item may begin before the last has ended.
     Throughput,
+    /// The same of a set that may not fit the caches: a walk over all items that goes on from block to
+    /// block. What a block finds near is what the walk left there ([`crate::job::Job::approach`]).
+    Walk,
     /// The jobs make each item wait for the answer to the one before ([`super::Dependent`]). The
     /// calls themselves may be most of the time, so nothing is said of too short ones.
     Latency,

@@ -47,7 +47,7 @@ pub(super) fn report(
     runners.iter_mut().for_each(windows::level);
     let controls = Controls::of(runners);
     let floor = noise_floor(runners, &controls);
-    if protocol.guards && protocol.pace == Pace::Throughput {
+    if protocol.guards && matches!(protocol.pace, Pace::Throughput | Pace::Walk) {
         guard_all(runners, &controls, floor);
     }
     // Whoever failed has no samples left, the reference neither.

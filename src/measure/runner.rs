@@ -81,6 +81,8 @@ impl Sample {
 pub(super) struct Runner<'a> {
     pub contestant: &'a mut Contestant,
     expectation: Expectation,
+    /// Blocks of a walk so far.
+    walked: usize,
     pub plan: Plan,
     /// One a clean round.
     pub samples: Vec<Sample>,
@@ -105,7 +107,8 @@ impl<'a> Runner<'a> {
         Runner {
             contestant,
             expectation,
-            plan: Plan { order: Order::Fixed, windows: 1, repeats: 1 },
+            walked: 0,
+            plan: Plan { order: Order::Fixed, windows: 1, repeats: 1, walks: false },
             samples: Vec::new(),
             pending: None,
             solo_ns: None,
@@ -120,6 +123,7 @@ impl<'a> Runner<'a> {
             if self.invalid.is_some() {
                 return;
             }
+            let window = self.next_window(window);
             let order = self.lay_out(window, instruments.rng);
             self.time(window, order.as_deref(), instruments);
             let quiet = self.pending.is_some_and(|sample| !sample.crowded);
@@ -130,11 +134,25 @@ impl<'a> Runner<'a> {
         }
     }
 
+    /// The window of the round; of a walk, the one after the last, whatever became of that: it is
+    /// near now.
+    fn next_window(&mut self, window: usize) -> usize {
+        if !self.plan.walks {
+            return window;
+        }
+        self.walked += 1;
+        self.walked - 1
+    }
+
     /// Brings the items into the order of the block; the new one, if it is new.
     fn lay_out(&mut self, window: usize, rng: &mut Pcg64Mcg) -> Option<Vec<u32>> {
         let job = self.contestant.job.as_mut();
         match self.plan.order {
             Order::Literal => None,
+            Order::Fixed if self.plan.walks => {
+                job.approach(self.plan.block(job.items(), window));
+                None
+            }
             Order::Fixed => {
                 let block = self.plan.block(job.items(), window);
                 // A block of few passes would be timed while they are still being learned.

@@ -12,6 +12,8 @@ pub enum Call {
     Run { block: Block, timed: bool },
     /// `permute`.
     Permute(Vec<u32>),
+    /// `approach`.
+    Approach(Block),
 }
 
 /// What the scripted jobs of a group share.
@@ -124,6 +126,10 @@ impl Job for ScriptedJob {
             self.timed_runs += 1;
         }
         tally
+    }
+
+    fn approach(&mut self, block: Block) {
+        self.calls.borrow_mut().push(Call::Approach(block));
     }
 
     fn permute(&mut self, permutation: &[u32]) {

@@ -9,7 +9,10 @@ use crate::policy::{
 };
 
 use super::forms::{drive, numbers};
-use super::{Axes, KernelVisitor, Offers, Variant, bind_nearest, registers, visit_kernels};
+use super::{
+    Axes, KernelVisitor, Offers, Variant, bind_nearest, bind_tiles, preparing, registers,
+    visit_kernels,
+};
 
 /// Every kernel that is driven in other ways.
 pub fn all(v: &mut Vec<Variant>) {
@@ -157,6 +160,8 @@ pub fn driven<K: Offers, P: Policy, E: Element, L: Level, Y: Layout>(
         available: level::available::<L>,
         pairs: None,
         nearest: Some(bind_nearest(shape, K::prepare::<E>, Storing::of::<Y>(), run)),
+        tiles: Some(bind_tiles(shape, K::prepare::<E>, Storing::of::<Y>(), run)),
+        preparing: Some(preparing::<K, E>),
         rays,
         lanes: tests,
         work: None,

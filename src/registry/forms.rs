@@ -12,7 +12,8 @@ use crate::policy::{
 };
 
 use super::{
-    Axes, KernelVisitor, Offers, Other, Variant, bind_nearest, bind_pairs, edges, visit_kernels,
+    Axes, KernelVisitor, Offers, Other, Variant, bind_nearest, bind_pairs, bind_tiles, edges,
+    preparing, visit_kernels,
 };
 
 /// Every kernel in every form.
@@ -256,6 +257,8 @@ fn timed<K: Offers, E: Element>(
         available,
         pairs: pairs.map(|run| bind_pairs(K::prepare::<E>, run, exit_code::<K, E>)),
         nearest: Some(bind_nearest(shape, K::prepare::<E>, Storing::of::<Aos>(), nearest)),
+        tiles: Some(bind_tiles(shape, K::prepare::<E>, Storing::of::<Aos>(), nearest)),
+        preparing: Some(preparing::<K, E>),
         rays: shape.rays,
         lanes: shape.rays,
         work: None,

@@ -102,6 +102,8 @@ where
         available: level::available::<L>,
         pairs: Some(bind_pairs(K::prepare::<E>, run, exit_code::<K, E>)),
         nearest: None,
+        tiles: None,
+        preparing: None,
         rays: 1,
         lanes: 1,
         work: None,

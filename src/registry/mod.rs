@@ -27,10 +27,13 @@ pub use streams::{OneStream, streams};
 
 use std::sync::LazyLock;
 
-use crate::batch::{NearestJob, NearestLoop, PairsJob, Shape, Storing, widened};
+use crate::batch::{
+    Extent, NearestJob, NearestLoop, PairsJob, PrepareJob, Shape, Storing, TilesJob, prepare_all,
+    widened,
+};
 use crate::bound::Work;
 use crate::job::Job;
-use crate::kernels::{About, Corners};
+use crate::kernels::{About, Corners, Kernel};
 use crate::number::{Element, Vec3};
 use crate::policy::Ray;
 use crate::workload;
@@ -38,6 +41,13 @@ use crate::workload;
 /// Makes a job of a variant over rays and triangles.
 pub type Binder =
     Box<dyn Fn(&[workload::Ray], &[workload::Triangle]) -> Box<dyn Job> + Send + Sync>;
+
+/// Makes a job of preparing triangles.
+pub type PrepareBinder = fn(&[workload::Triangle]) -> Box<dyn Job>;
+
+/// Makes a job of a variant over rays and a large set made of a tile of triangles.
+pub type TilesBinder =
+    Box<dyn Fn(&[workload::Ray], &[workload::Triangle], Extent) -> Box<dyn Job> + Send + Sync>;
 
 /// One compiled form of one kernel.
 pub struct Variant {
@@ -54,6 +64,10 @@ pub struct Variant {
     /// Every ray against every triangle; listings and point tests have none. The number of rays
     /// must be a multiple of [`Variant::rays`].
     pub nearest: Option<Binder>,
+    /// The same over a large set, made of [`crate::batch::TILE`] triangles again and again.
+    pub tiles: Option<TilesBinder>,
+    /// The preparing of what is stored of triangles; listings and point tests have none.
+    pub preparing: Option<PrepareBinder>,
     /// Rays of a packet or a bundle; 1 for single rays.
     pub rays: usize,
     /// Tests that are done side by side: rays of a packet or a bundle, triangles of a group.
@@ -167,5 +181,25 @@ fn bind_nearest<E: Element, T: Copy + 'static>(
         let rays: Vec<Ray<E>> = rays.iter().map(widened).collect();
         let records = triangles.iter().map(|triangle| prepare(&corners(triangle))).collect();
         Box::new(NearestJob::new(shape, &rays, records, storing, run))
+    })
+}
+
+/// Makes a job of a kernel's preparing.
+fn preparing<K: Kernel, E: Element>(triangles: &[workload::Triangle]) -> Box<dyn Job> {
+    let corners: Vec<Corners<E>> = triangles.iter().map(corners).collect();
+    Box::new(PrepareJob::new(corners, K::prepare::<E>, prepare_all::<K, E>))
+}
+
+/// A binder over rays and a large set.
+fn bind_tiles<E: Element, T: AsRef<[E]> + Copy + 'static>(
+    shape: Shape,
+    prepare: fn(&Corners<E>) -> T,
+    storing: Storing<E, T>,
+    run: NearestLoop<E>,
+) -> TilesBinder {
+    Box::new(move |rays, triangles, extent| {
+        let rays: Vec<Ray<E>> = rays.iter().map(widened).collect();
+        let records: Vec<T> = triangles.iter().map(|one| prepare(&corners(one))).collect();
+        Box::new(TilesJob::new(shape, &rays, &records, &storing, extent, run))
     })
 }

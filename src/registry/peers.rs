@@ -98,6 +98,8 @@ fn variant<P: Peer, const UV: bool>() -> Variant {
         rays: 1,
         lanes: 1,
         work: None,
+        tiles: None,
+        preparing: None,
     }
 }
 

@@ -58,6 +58,8 @@ fn form<K: PointTest, E: Element + On<Base>, X: Exit, C: Tests>(v: &mut Vec<Vari
         available: level::available::<Base>,
         pairs: Some(bind_pairs(K::prepare::<E>, run, exit_code::<K, C, E>)),
         nearest: None,
+        tiles: None,
+        preparing: None,
         rays: 1,
         lanes: 1,
         work: None,

@@ -56,6 +56,22 @@ pub const CLOCK_COLUMNS: &[&str] = &[
     "bound_cycles_per_test",
     "bound_resource",
     "bound_fraction",
+    "l1_bytes",
+    "l2_bytes",
+    "l3_bytes",
+    "prepare_ns_per_triangle",
+    "prepare_ns_low",
+    "prepare_ns_high",
+    "prepare_cycles_per_triangle",
+    "prepare_cycles_low",
+    "prepare_cycles_high",
+    "pays_from_rays",
+    "pays_from_low",
+    "pays_from_high",
+    "total_cycles_per_triangle",
+    "total_cycles_per_ray",
+    "total_cycles_per_ray_low",
+    "total_cycles_per_ray_high",
 ];
 
 /// Statuses that were given before anything was timed.

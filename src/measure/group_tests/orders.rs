@@ -97,6 +97,67 @@ fn long_sets_are_cut_into_windows_that_packets_share() {
     }
 }
 
+/// Blocks of a walk and what was done before each, in 20 rounds.
+fn walk(
+    script: &Script,
+    items: usize,
+    cost_ns: u64,
+    disturbance: &mut dyn Disturbance,
+) -> Vec<Call> {
+    let (one, calls) = subject("one", Role::Subject, ScriptedJob::new(script, items, cost_ns));
+    let walk = Protocol { pace: Pace::Walk, ..protocol(Order::Fixed) };
+    let never = AtomicBool::new(false);
+    measure_with(&mut [one], &walk, script, disturbance, &mut |_| {}, &never);
+    let calls = calls.borrow();
+    let blocks = calls.iter().rposition(|call| matches!(call, Call::Run { timed: false, .. }));
+    calls[blocks.map_or(0, |last| last + 1)..].to_vec()
+}
+
+#[test]
+fn a_walk_goes_on_where_it_was_and_every_item_comes_once() {
+    // 4000 items of 1.2 us are 80 blocks; 50 of them a block.
+    let calls = walk(&Script::default(), 4000, 1200, &mut Undisturbed);
+    // Three to cut the blocks and twice three to see that twice the work takes twice the time.
+    let (trials, rounds) = calls.split_at(calls.len() - 2 * 20);
+    assert_eq!(trials.len(), 2 * (3 + 6));
+    for (round, pair) in rounds.chunks(2).enumerate() {
+        let block = Block { first: 50 * round, items: 50, repeats: 1, literal: false };
+        assert_eq!(pair, [Call::Approach(block), Call::Run { block, timed: true }]);
+    }
+    // What was tried out lies elsewhere.
+    let tried = trials.iter().filter_map(|call| match call {
+        Call::Run { block, .. } => Some(block.first),
+        _ => None,
+    });
+    assert!(tried.clone().count() == 9 && tried.min() >= Some(20 * 50));
+}
+
+#[test]
+fn a_walk_that_is_disturbed_does_not_come_back() {
+    /// Another count before and after the sixth round.
+    struct Once(u32);
+    impl Disturbance for Once {
+        fn count(&mut self) -> Option<u64> {
+            self.0 += 1;
+            Some(u64::from(self.0 > 11))
+        }
+    }
+    let calls = walk(&Script::default(), 4000, 1200, &mut Once(0));
+    let timed = |call: &Call| match call {
+        Call::Run { block, .. } => Some(block.first),
+        _ => None,
+    };
+    let firsts: Vec<usize> = calls.iter().filter_map(timed).skip(9).collect();
+    assert_eq!(firsts, (0..21).map(|block| 50 * block).collect::<Vec<usize>>());
+}
+
+#[test]
+fn a_walk_over_a_small_set_is_repeated() {
+    let calls = walk(&Script::default(), 100, 120, &mut Undisturbed);
+    let block = Block { first: 0, items: 100, repeats: 5, literal: false };
+    assert_eq!(calls[calls.len() - 2..], [Call::Approach(block), Call::Run { block, timed: true }]);
+}
+
 #[test]
 fn about_equal_contestants_share_the_count_of_the_reference() {
     let script = Script::default();

@@ -116,6 +116,44 @@ macro_rules! timing_columns {
             bound_resource: String,
             /// `bound_cycles_per_test` over `cycles_per_test`: 1 is the limit of the machine.
             bound_fraction: Option<f64>,
+            /// Bytes of all triangles as stored, where sets of several sizes are compared.
+            set_bytes: Option<u64>,
+            /// Bytes of the machine's first data cache.
+            l1_bytes: Option<u64>,
+            /// Bytes of its second cache.
+            l2_bytes: Option<u64>,
+            /// Bytes of its third cache, which cores share.
+            l3_bytes: Option<u64>,
+            /// Median time of preparing what is stored of a triangle.
+            prepare_ns_per_triangle: Option<f64>,
+            /// Lower end of its interval.
+            prepare_ns_low: Option<f64>,
+            /// Upper end of its interval.
+            prepare_ns_high: Option<f64>,
+            /// The same in processor cycles.
+            prepare_cycles_per_triangle: Option<f64>,
+            /// Lower end of its interval.
+            prepare_cycles_low: Option<f64>,
+            /// Upper end of its interval.
+            prepare_cycles_high: Option<f64>,
+            /// The kernel whose form that prepares nothing is compared with.
+            pays_against: String,
+            /// Rays per triangle from which on preparing costs less; empty where it never does.
+            pays_from_rays: Option<f64>,
+            /// The least that the intervals leave possible.
+            pays_from_low: Option<f64>,
+            /// The most; empty where the intervals do not exclude that it never pays.
+            pays_from_high: Option<f64>,
+            /// Rays per triangle that the row is about.
+            rays_per_triangle: Option<u64>,
+            /// Cycles of preparing a triangle and testing it that often.
+            total_cycles_per_triangle: Option<f64>,
+            /// The same per ray.
+            total_cycles_per_ray: Option<f64>,
+            /// With both at the lower ends of their intervals.
+            total_cycles_per_ray_low: Option<f64>,
+            /// With both at the upper ends.
+            total_cycles_per_ray_high: Option<f64>,
         } }
     };
 }

@@ -1,0 +1,114 @@
+//! Large sets made of tiles: what they hold, and that walking over them finds what is found without.
+#![cfg(feature = "cli")]
+
+use std::sync::atomic::AtomicBool;
+
+use ray_test::batch::{Extent, TILE};
+use ray_test::experiment::{Bench, Experiment, KeepNothing, Outcome, Plan, run};
+use ray_test::job::Block;
+use ray_test::measure::{NoCounters, NoRuler, Remember, ScriptedClock, Undisturbed};
+use ray_test::registry::variants;
+use ray_test::workload::{Kind, NearestSet, NearestSpec};
+
+fn experiment(triangles: &str) -> Result<Plan, String> {
+    let text = format!(
+        "id = 'test'\ntitle = 'A test'\nquestion = 'Does it run?'\nwhy = 'It must.'\n\
+         variants = ['^wald/f32/(single|packet4)/sse2/early/last/plain/tuv$']\n[workload]\n\
+         kind = 'memory'\ntriangles = {triangles}\n"
+    );
+    let experiment = Experiment::parse("test.toml", &text).map_err(|error| error.to_string())?;
+    Plan::new("test.toml", experiment, None).map_err(|error| error.to_string())
+}
+
+fn outcome(triangles: &str) -> Outcome {
+    let plan = experiment(triangles).expect("allowed");
+    let mut bench = Bench {
+        rounds: 32,
+        // The clock moves by its readings, not by work.
+        guards: false,
+        patience: 0,
+        clock: &mut ScriptedClock::new(60_000),
+        disturbance: &mut Undisturbed,
+        counters: &mut NoCounters,
+        forget: &mut Remember,
+        ruler: &mut NoRuler,
+        progress: &mut |_| {},
+        cancel: &AtomicBool::new(false),
+        keep: &mut KeepNothing,
+    };
+    run(&plan, &mut bench).expect("a workload that can be drawn")
+}
+
+fn tile() -> NearestSet {
+    let spec = NearestSpec { triangles: TILE, rays: 16, kind: Kind::Random, spread: 0.0, seed: 1 };
+    NearestSet::draw(spec).expect("a plain specification")
+}
+
+#[test]
+fn a_set_is_the_same_in_every_version() {
+    assert_eq!(format!("{:016x}", tile().hash), "GOLDEN_TILE");
+    let rows = outcome("[256, 5120]").rows;
+    let hashes: Vec<&str> = rows.iter().map(|row| row.workload_hash.as_str()).collect();
+    assert_eq!(hashes, ["GOLDEN_256", "GOLDEN_256", "GOLDEN_5120", "GOLDEN_5120"]);
+}
+
+#[test]
+fn a_row_for_every_set_and_variant() {
+    let outcome = outcome("[256, 5120]");
+    assert!(outcome.wrong.is_empty() && !outcome.interrupted);
+    let found: Vec<_> =
+        outcome.rows.iter().map(|row| (row.triangles, row.set_bytes, row.tests)).collect();
+    // 16 rays over one tile, or one to four of them over each of 20.
+    let wanted = [(256, 16 * 256), (256, 16 * 256), (5120, 5120), (5120, 4 * 5120)];
+    let wanted = wanted.map(|(count, tests)| (Some(count), Some(48 * count), Some(tests)));
+    assert_eq!(found, wanted);
+    for row in &outcome.rows {
+        assert_eq!((row.status.as_str(), row.rounds), ("ok", Some(8)), "{row:?}");
+        assert!(row.ns_per_test.is_some() && row.false_hits == Some(0));
+    }
+    // Of one tile every ray has its turn, whoever takes it.
+    assert_eq!(outcome.rows[0].hits, outcome.rows[1].hits);
+}
+
+#[test]
+fn walked_or_not_the_answers_are_the_same() {
+    let set = tile();
+    let (mut compared, mut missing) = (0, 0);
+    for variant in variants() {
+        let (Some(nearest), Some(tiles)) = (&variant.nearest, &variant.tiles) else { continue };
+        let in_memory = variant.axes.output == "tuv" && !variant.axes.drive.contains('-');
+        if !in_memory || variant.rays > 16 || !variant.claims_exactness() {
+            continue;
+        }
+        if !(variant.available)() {
+            missing += 1;
+            continue;
+        }
+        let mut small = nearest(&set.rays, &set.triangles);
+        let mut large =
+            tiles(&set.rays, &set.triangles, Extent { tiles: 21, cache_bytes: 1 << 20 });
+        assert_eq!(large.answers(), small.answers(), "{}", variant.id());
+        let turns = small.items();
+        for item in 0..large.items() {
+            let block = |first| Block { first, items: 1, repeats: 1, literal: false };
+            let (found, wanted) = (large.run(block(item)), small.run(block(item % turns)));
+            assert_eq!(found, wanted, "{}, item {item}", variant.id());
+        }
+        compared += 1;
+    }
+    println!("{compared} forms; skipped: {missing} of missing levels");
+    assert!(compared > 100, "{compared}");
+}
+
+#[test]
+fn sizes_that_are_not_whole_tiles_are_refused() {
+    for (triangles, parts) in [
+        ("[]", ["workload.triangles", "at least one"]),
+        ("[256, 1000]", ["1000 is not allowed", "multiples of 256"]),
+        ("[0]", ["0 is not allowed", "from 256 to"]),
+        ("[33554432]", ["33554432", "16777216"]),
+    ] {
+        let message = experiment(triangles).err().expect("it is wrong");
+        assert!(parts.iter().all(|part| message.contains(part)), "{message}");
+    }
+}
