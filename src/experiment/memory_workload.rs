@@ -93,6 +93,8 @@ impl MemoryWorkload {
 pub(super) fn protocol(rounds: usize, seed: u64) -> Protocol {
     Protocol {
         rounds: (rounds / 4).max(Protocol::LEAST_ROUNDS),
+        // As many as that: others would be read for nothing.
+        exact_rounds: true,
         pace: Pace::Walk,
         ..Protocol::new(Order::Fixed, seed)
     }

@@ -59,6 +59,7 @@ impl Surroundings<'_> {
             counters: &mut *self.counters,
             forget: &mut *self.forget,
             ruler: &mut *self.ruler,
+            disturbance: &mut *self.disturbance,
             spare_blocks,
             rng,
         }
@@ -235,5 +236,9 @@ fn run_round(
         progress.done_blocks += 1;
         (surroundings.progress)(*progress);
     }
-    if surroundings.disturbance.count() == before { Ended::Clean } else { Ended::Dirty }
+    let undisturbed = match round.pace {
+        Pace::Walk => !runners.iter().any(|runner| runner.disturbed),
+        _ => surroundings.disturbance.count() == before,
+    };
+    if undisturbed { Ended::Clean } else { Ended::Dirty }
 }

@@ -4,6 +4,7 @@ use super::calibrate::{timed, warm_up};
 use super::clock::Clock;
 use super::contestant::{Contestant, Expected};
 use super::counters::{Counters, Counts};
+use super::disturbance::Disturbance;
 use super::expectation::Expectation;
 use super::figures::Invalid;
 use super::forget::Forget;
@@ -30,6 +31,7 @@ pub(super) struct Instruments<'a> {
     pub counters: &'a mut dyn Counters,
     pub forget: &'a mut dyn Forget,
     pub ruler: &'a mut dyn Ruler,
+    pub disturbance: &'a mut dyn Disturbance,
     /// Blocks that the group may still run again because of a neighbour.
     pub spare_blocks: &'a mut usize,
     /// For new orders.
@@ -83,6 +85,8 @@ pub(super) struct Runner<'a> {
     expectation: Expectation,
     /// Blocks of a walk so far.
     walked: usize,
+    /// Whether something else ran in place of the last block itself.
+    pub disturbed: bool,
     pub plan: Plan,
     /// One a clean round.
     pub samples: Vec<Sample>,
@@ -108,6 +112,7 @@ impl<'a> Runner<'a> {
             contestant,
             expectation,
             walked: 0,
+            disturbed: false,
             plan: Plan { order: Order::Fixed, windows: 1, repeats: 1, walks: false },
             samples: Vec::new(),
             pending: None,
@@ -126,7 +131,9 @@ impl<'a> Runner<'a> {
             let window = self.next_window(window);
             let order = self.lay_out(window, instruments.rng);
             self.time(window, order.as_deref(), instruments);
-            let quiet = self.pending.is_some_and(|sample| !sample.crowded);
+            // The way to the block of a walk is long; only what is timed must be undisturbed.
+            let undisturbed = !(self.plan.walks && self.disturbed);
+            let quiet = undisturbed && self.pending.is_some_and(|sample| !sample.crowded);
             if quiet || attempt == MOST_ATTEMPTS || *instruments.spare_blocks == 0 {
                 return;
             }
@@ -171,11 +178,13 @@ impl<'a> Runner<'a> {
     fn time(&mut self, window: usize, order: Option<&[u32]>, instruments: &mut Instruments<'_>) {
         let job = self.contestant.job.as_mut();
         let block = self.plan.block(job.items(), window);
+        let switches = self.plan.walks.then(|| instruments.disturbance.count());
         let before = instruments.ruler.read(instruments.clock);
         instruments.counters.start();
         let (ns, tally) = timed(job, block, instruments.clock);
         let counts = instruments.counters.stop();
         let after = instruments.ruler.read(instruments.clock);
+        self.disturbed = switches.is_some_and(|before| before != instruments.disturbance.count());
         if tally == self.expectation.block(block, order) {
             self.take(ns, window, counts, [before, after]);
         } else {

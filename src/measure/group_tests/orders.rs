@@ -134,12 +134,13 @@ fn a_walk_goes_on_where_it_was_and_every_item_comes_once() {
 
 #[test]
 fn a_walk_that_is_disturbed_does_not_come_back() {
-    /// Another count before and after the sixth round.
+    /// Another count before and after the sixth block: a round asks before, around its block, and
+    /// the walk does not mind the last time.
     struct Once(u32);
     impl Disturbance for Once {
         fn count(&mut self) -> Option<u64> {
             self.0 += 1;
-            Some(u64::from(self.0 > 11))
+            Some(u64::from(self.0 > 5 * 3 + 2))
         }
     }
     let calls = walk(&Script::default(), 4000, 1200, &mut Once(0));
