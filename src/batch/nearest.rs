@@ -80,21 +80,32 @@ where
     }
 }
 
-/// A packet of rays.
+/// A packet of rays. Row by row: an array of them would be cleared first, by a call where it is large.
 #[inline(always)]
 pub fn load<R: Real>(token: R::Token, packet: &[R::Element]) -> Ray<R> {
-    let mut rows = [R::splat(token, R::Element::ZERO); RAY_NUMBERS];
-    for (row, numbers) in rows.iter_mut().zip(packet.chunks_exact(R::LANES)) {
-        *row = R::load(token, numbers);
-    }
-    let [ox, oy, oz, dx, dy, dz, ex, ey, ez, t_min, t_max] = rows;
     Ray {
-        origin: Vec3([ox, oy, oz]),
-        direction: Vec3([dx, dy, dz]),
-        end: Vec3([ex, ey, ez]),
-        t_min,
-        t_max,
+        origin: vector::<R>(token, packet, 0),
+        direction: vector::<R>(token, packet, 3),
+        end: vector::<R>(token, packet, 6),
+        t_min: row::<R>(token, packet, 9),
+        t_max: row::<R>(token, packet, 10),
     }
+}
+
+/// One number of every ray of a packet.
+#[inline(always)]
+fn row<R: Real>(token: R::Token, packet: &[R::Element], row: usize) -> R {
+    R::load(token, &packet[row * R::LANES..][..R::LANES])
+}
+
+/// Three rows.
+#[inline(always)]
+fn vector<R: Real>(token: R::Token, packet: &[R::Element], first: usize) -> Vec3<R> {
+    Vec3([
+        row::<R>(token, packet, first),
+        row::<R>(token, packet, first + 1),
+        row::<R>(token, packet, first + 2),
+    ])
 }
 
 /// All triangles. `ray.t_max` shrinks, except where only the hit itself is wanted.
@@ -150,12 +161,15 @@ pub fn step<K: Kernel, P: Policy, R: Real>(
     end::<K, P, R>(ray, aim, (met, begun), index, best);
 }
 
+/// What [`Kernel::begin`] gives.
+pub type Beginning<K, R> = Result<<K as Kernel>::Begun<R>, Miss>;
+
 /// The second part of [`step`].
 #[inline(always)]
 fn end<K: Kernel, P: Policy, R: Real>(
     ray: &mut Ray<R>,
     aim: &K::Aim<R>,
-    (met, begun): (&K::Met<R>, Result<K::Begun<R>, Miss>),
+    (met, begun): (&K::Met<R>, Beginning<K, R>),
     index: R,
     best: &mut Best<R>,
 ) {

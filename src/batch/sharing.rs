@@ -6,11 +6,11 @@ use std::marker::PhantomData;
 use super::WIDEST;
 use super::best::{ANSWER_NUMBERS, Best};
 use super::group::{Packed, everywhere};
-use super::nearest::{RAY_NUMBERS, Scene, align_frame, load, places};
+use super::nearest::{Beginning, RAY_NUMBERS, Scene, align_frame, load, places};
 use crate::kernels::{Common, MOST_SHARED, Shares, Source};
 use crate::level::{Batch, Level, On};
 use crate::number::{Element, Real, Vec3};
-use crate::policy::{Miss, Policy, Ray};
+use crate::policy::{Policy, Ray};
 
 /// One loop over packets of rays `R` and groups of triangles, one to a lane of `G`, whose layout is
 /// that of [`super::Group`]. Rays of a packet must have in common what `C` says.
@@ -138,7 +138,7 @@ pub fn step_shared<K, P, R, C, S>(
 fn end<K, P, R, C, S>(
     ray: &mut Ray<R>,
     aim: &K::Aim<R>,
-    (shared, begun): (&S, Result<K::Begun<R>, Miss>),
+    (shared, begun): (&S, Beginning<K, R>),
     index: R,
     best: &mut Best<R>,
 ) where

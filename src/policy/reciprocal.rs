@@ -46,12 +46,13 @@ impl Reciprocal for Divide {
     fn quotient<P: Policy, R: Real>(numerator: R, x: R) -> R {
         numerator / x
     }
-    /// A quotient by 0 is infinite or no number, and a search for the nearest hit takes neither.
+    /// A quotient by 0 is infinite or no number, and a search for the nearest hit takes neither: packets need
+    /// not ask.
     #[inline(always)]
     fn divisible<P: Policy, R: Real>(x: R) -> R::Mask {
         if P::Facing::CULLS {
             x.gt(x.zero())
-        } else if P::LEAVES_BOUND {
+        } else if R::LANES > 1 && P::LEAVES_BOUND {
             R::mask(x.token(), true)
         } else {
             x.ne(x.zero())

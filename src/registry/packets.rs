@@ -1,8 +1,9 @@
-//! Packets longer than a register: two and four registers of rays meet a triangle at once.
+//! Packets longer than a register: two and four registers of rays meet a triangle at once. All kernels have
+//! two registers of f32; a few stand for the others in f64 and in packets of four.
 
 use crate::level::{Level, On};
 use crate::number::{Real, Twice};
-use crate::policy::{Compare, Early, Full, Fused, Tuv, TwoSided};
+use crate::policy::{Compare, Full, Fused, Tuv, TwoSided};
 
 use super::forms::divisions_with;
 use super::{KernelVisitor, Offers, Variant, registers, visit_kernels};
@@ -31,11 +32,11 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     full::<K, Twice<Sixteen>, Avx512>(v);
     if cfg!(not(test)) {
         full::<K, Twice<Eight>, Avx2>(v);
-        full::<K, Twice<EightDoubles>, Avx512>(v);
     }
     if K::GROUPS && cfg!(not(test)) {
-        early::<K, Twice<Eight>, Avx2>(v);
-        early::<K, Twice<Sixteen>, Avx512>(v);
+        full::<K, Twice<EightDoubles>, Avx512>(v);
+    }
+    if K::LAYOUTS && cfg!(not(test)) {
         full::<K, Twice<Twice<Eight>>, Avx2>(v);
         full::<K, Twice<Twice<Sixteen>>, Avx512>(v);
     }
@@ -47,9 +48,10 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     use registers::{Four, TwoDoubles};
 
     full::<K, Twice<Four>, Neon>(v);
-    full::<K, Twice<TwoDoubles>, Neon>(v);
     if K::GROUPS {
-        early::<K, Twice<Four>, Neon>(v);
+        full::<K, Twice<TwoDoubles>, Neon>(v);
+    }
+    if K::LAYOUTS {
         full::<K, Twice<Twice<Four>>, Neon>(v);
     }
 }
@@ -60,12 +62,4 @@ where
     R::Element: On<L>,
 {
     divisions_with::<K, R, L, Full, Fused, Tuv, TwoSided, Compare, K::Native>(v);
-}
-
-/// Left when no ray of all registers can hit.
-fn early<K: Offers, R: Real + On<L>, L: Level>(v: &mut Vec<Variant>)
-where
-    R::Element: On<L>,
-{
-    divisions_with::<K, R, L, Early, Fused, Tuv, TwoSided, Compare, K::Native>(v);
 }

@@ -33,7 +33,7 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
 
     estimates::<K, Sixteen, Avx512>(v);
     once::<K, f32, Sse2, Plain>(v);
-    once::<K, f32, Avx2, Fused>(v);
+    form::<K, f32, Avx2, Once, First, Fused, Divide>(v);
     once::<K, Sixteen, Avx512, Fused>(v);
     if cfg!(not(test)) {
         estimates::<K, Eight, Avx2>(v);
