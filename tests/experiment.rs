@@ -1,42 +1,15 @@
 //! Experiments from TOML to rows, on a clock that tells what it is told.
 #![cfg(feature = "cli")]
 
-use std::sync::atomic::{AtomicBool, Ordering};
+mod support;
 
-use ray_test::experiment::{Bench, Experiment, Keep, KeepNothing, Outcome, Plan, run};
-use ray_test::measure::{NoCounters, NoRuler, Remember, ScriptedClock, Undisturbed};
-use ray_test::table::{Row, TableError};
+use ray_test::experiment::{KeepNothing, Outcome};
+use ray_test::table::Row;
+use support::{Memory, attempt, plan, run_until};
 
-/// Runs an experiment in 16 rounds; every reading of the clock is a block after the one before.
+/// Runs an experiment in 16 rounds.
 fn rows(text: &str, cancelled: bool) -> Outcome {
     run_until(text, if cancelled { 0 } else { usize::MAX }, &mut KeepNothing)
-}
-
-/// The same, cancelled after so many blocks.
-fn run_until(text: &str, blocks: usize, keep: &mut dyn Keep) -> Outcome {
-    let experiment = Experiment::parse("test.toml", text).expect("the test's own text");
-    let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
-    let cancel = AtomicBool::new(blocks == 0);
-    let mut done = 0;
-    let mut progress = |more| {
-        done += more;
-        cancel.store(done >= blocks, Ordering::Relaxed);
-    };
-    let mut bench = Bench {
-        rounds: 16,
-        // The clock moves by its readings, not by work.
-        guards: false,
-        patience: 0,
-        clock: &mut ScriptedClock::new(60_000),
-        disturbance: &mut Undisturbed,
-        counters: &mut NoCounters,
-        forget: &mut Remember,
-        ruler: &mut NoRuler,
-        progress: &mut progress,
-        cancel: &cancel,
-        keep,
-    };
-    run(&plan, &mut bench).expect("a workload that can be drawn")
 }
 
 fn pairs(variants: &str, more: &str) -> String {
@@ -146,22 +119,6 @@ fn a_cancelled_run_begins_nothing() {
     assert!(outcome.interrupted && outcome.rows.is_empty());
 }
 
-/// Keeps pieces in memory.
-#[derive(Default)]
-struct Memory(Vec<(String, Vec<Row>)>);
-
-impl Keep for Memory {
-    fn kept(&self, piece: &str) -> Option<Vec<Row>> {
-        self.0.iter().find(|(name, _)| name == piece).map(|(_, rows)| rows.clone())
-    }
-
-    fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {
-        assert_eq!(self.kept(piece), None, "{piece} is kept twice");
-        self.0.push((piece.to_owned(), rows.to_owned()));
-        Ok(())
-    }
-}
-
 /// On a clock that only counts its readings, a run that went on has even the times of one that was
 /// never interrupted.
 #[test]
@@ -196,23 +153,8 @@ fn rows_of_another_workload_are_refused() {
     let mut memory = Memory::default();
     run_until(&text, usize::MAX, &mut memory);
     memory.0[0].1[0].workload_hash = "f00d".into();
-    let experiment = Experiment::parse("test.toml", &text).expect("the test's own text");
-    let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
-    let mut bench = Bench {
-        rounds: 16,
-        // The clock moves by its readings, not by work.
-        guards: false,
-        patience: 0,
-        clock: &mut ScriptedClock::new(60_000),
-        disturbance: &mut Undisturbed,
-        counters: &mut NoCounters,
-        forget: &mut Remember,
-        ruler: &mut NoRuler,
-        progress: &mut |_| {},
-        cancel: &AtomicBool::new(false),
-        keep: &mut memory,
-    };
-    let refused = run(&plan, &mut bench).err().expect("another workload").to_string();
+    let refused = attempt(&text, 16, usize::MAX, &mut memory);
+    let refused = refused.err().expect("another workload").to_string();
     for part in ["test", "cell 0", "workload_hash", "'f00d'", "now '"] {
         assert!(refused.contains(part), "no '{part}' in: {refused}");
     }
@@ -222,8 +164,7 @@ fn rows_of_another_workload_are_refused() {
 fn wrong_configs_are_refused_with_where_what_and_what_is_allowed() {
     let good = pairs("'^moller1/f32/single/sse2/early/last/plain/t$'", "");
     let refused = |text: &str, parts: &[&str]| {
-        let plan = Experiment::parse("test.toml", text)
-            .and_then(|experiment| Plan::new("test.toml", experiment, None).map(|_| ()));
+        let plan = plan(text);
         let message = plan.expect_err("it is wrong").to_string();
         for part in parts.iter().chain(&["test.toml"]) {
             assert!(message.contains(part), "no '{part}' in: {message}");

@@ -1,42 +1,28 @@
 //! Large sets made of tiles: what they hold, and that walking over them finds what is found without.
 #![cfg(feature = "cli")]
 
-use std::sync::atomic::AtomicBool;
+mod support;
 
 use ray_test::batch::{Extent, TILE};
-use ray_test::experiment::{Bench, Experiment, KeepNothing, Outcome, Plan, run};
+use ray_test::experiment::{Outcome, Plan};
 use ray_test::job::Block;
-use ray_test::measure::{NoCounters, NoRuler, Remember, ScriptedClock, Undisturbed};
 use ray_test::registry::variants;
 use ray_test::workload::{Kind, NearestSet, NearestSpec};
 
-fn experiment(triangles: &str) -> Result<Plan, String> {
-    let text = format!(
+fn text(triangles: &str) -> String {
+    format!(
         "id = 'test'\ntitle = 'A test'\nquestion = 'Does it run?'\nwhy = 'It must.'\n\
          variants = ['^wald/f32/(single|packet4)/sse2/early/last/plain/tuv$']\n[workload]\n\
          kind = 'memory'\ntriangles = {triangles}\n"
-    );
-    let experiment = Experiment::parse("test.toml", &text).map_err(|error| error.to_string())?;
-    Plan::new("test.toml", experiment, None).map_err(|error| error.to_string())
+    )
+}
+
+fn experiment(triangles: &str) -> Result<Plan, String> {
+    support::plan(&text(triangles))
 }
 
 fn outcome(triangles: &str) -> Outcome {
-    let plan = experiment(triangles).expect("allowed");
-    let mut bench = Bench {
-        rounds: 32,
-        // The clock moves by its readings, not by work.
-        guards: false,
-        patience: 0,
-        clock: &mut ScriptedClock::new(60_000),
-        disturbance: &mut Undisturbed,
-        counters: &mut NoCounters,
-        forget: &mut Remember,
-        ruler: &mut NoRuler,
-        progress: &mut |_| {},
-        cancel: &AtomicBool::new(false),
-        keep: &mut KeepNothing,
-    };
-    run(&plan, &mut bench).expect("a workload that can be drawn")
+    support::run_all(&text(triangles), 32)
 }
 
 fn tile() -> NearestSet {

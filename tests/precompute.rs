@@ -2,67 +2,22 @@
 //! costs in all.
 #![cfg(feature = "cli")]
 
-use std::sync::atomic::{AtomicBool, Ordering};
+mod support;
 
-use ray_test::experiment::{Bench, Experiment, Keep, Outcome, Plan, run};
 use ray_test::job::{Block, Job, Tally};
-use ray_test::measure::{NoCounters, NoRuler, Remember, ScriptedClock, Undisturbed};
 use ray_test::registry::variants;
-use ray_test::table::{Row, TableError};
+use ray_test::table::Row;
 use ray_test::workload::{Kind, NearestSet, NearestSpec};
+use support::{Memory, run_until};
 
 const TEXT: &str = "id = 'test'\ntitle = 'A test'\nquestion = 'Does it run?'\nwhy = 'It must.'\n\
     variants = ['^(moller-trumbore|wald|kensler-shirley)/f32/single/sse2/early/last/plain/tuv\
     (/stored=(normal|precomputed))?$']\n[workload]\nkind = 'precompute'\n\
     rays_per_triangle = [1, 10]\n";
 
-/// Keeps pieces in memory.
-#[derive(Default)]
-struct Memory(Vec<(String, Vec<Row>)>);
-
-impl Keep for Memory {
-    fn kept(&self, piece: &str) -> Option<Vec<Row>> {
-        self.0.iter().find(|(name, _)| name == piece).map(|(_, rows)| rows.clone())
-    }
-
-    fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {
-        assert_eq!(self.kept(piece), None, "{piece} is kept twice");
-        self.0.push((piece.to_owned(), rows.to_owned()));
-        Ok(())
-    }
-}
-
-/// In 16 rounds, cancelled after so many blocks; every reading of the clock is a block after the one
-/// before.
-fn outcome(blocks: usize, keep: &mut dyn Keep) -> Outcome {
-    let experiment = Experiment::parse("test.toml", TEXT).expect("the test's own text");
-    let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
-    let cancel = AtomicBool::new(false);
-    let mut done = 0;
-    let mut progress = |more| {
-        done += more;
-        cancel.store(done >= blocks, Ordering::Relaxed);
-    };
-    let mut bench = Bench {
-        rounds: 16,
-        // The clock moves by its readings, not by work.
-        guards: false,
-        patience: 0,
-        clock: &mut ScriptedClock::new(60_000),
-        disturbance: &mut Undisturbed,
-        counters: &mut NoCounters,
-        forget: &mut Remember,
-        ruler: &mut NoRuler,
-        progress: &mut progress,
-        cancel: &cancel,
-        keep,
-    };
-    run(&plan, &mut bench).expect("a workload that can be drawn")
-}
-
 #[test]
 fn preparing_stands_beside_the_tests_and_in_the_sums() {
-    let rows = outcome(usize::MAX, &mut Memory::default()).rows;
+    let rows = run_until(TEXT, usize::MAX, &mut Memory::default()).rows;
     let (sums, tests): (Vec<Row>, Vec<Row>) =
         rows.into_iter().partition(|row| row.rays_per_triangle.is_some());
     assert_eq!((tests.len(), sums.len()), (5, 2 * 5));
@@ -92,16 +47,16 @@ fn preparing_stands_beside_the_tests_and_in_the_sums() {
 #[test]
 fn an_interrupted_run_is_measured_again_and_a_whole_one_is_taken_back() {
     let mut whole = Memory::default();
-    let undisturbed = outcome(usize::MAX, &mut whole);
+    let undisturbed = run_until(TEXT, usize::MAX, &mut whole);
     assert_eq!(whole.0.len(), 1);
     for blocks in [1, 200] {
         let mut memory = Memory::default();
-        let interrupted = outcome(blocks, &mut memory);
+        let interrupted = run_until(TEXT, blocks, &mut memory);
         assert!(interrupted.interrupted && memory.0.is_empty());
-        assert!(outcome(usize::MAX, &mut memory).rows == undisturbed.rows);
+        assert!(run_until(TEXT, usize::MAX, &mut memory).rows == undisturbed.rows);
         assert!(memory.0 == whole.0);
     }
-    assert!(outcome(usize::MAX, &mut whole).rows == undisturbed.rows);
+    assert!(run_until(TEXT, usize::MAX, &mut whole).rows == undisturbed.rows);
 }
 
 fn tally(job: &mut dyn Job, first: usize, items: usize, repeats: usize) -> Tally {

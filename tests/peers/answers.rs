@@ -1,11 +1,7 @@
 //! What the peers answer: at a plain place, beside each other, and to the oracle.
 
-use std::sync::atomic::AtomicBool;
-
 use glam::Vec3;
-use ray_test::experiment::{Bench, Experiment, KeepNothing, Outcome, Plan, run};
 use ray_test::job::Answer;
-use ray_test::measure::{NoCounters, NoRuler, Remember, ScriptedClock, Undisturbed};
 use ray_test::oracle::Query;
 use ray_test::registry::{Variant, asked_with_peers, variants};
 use ray_test::table::Row;
@@ -132,7 +128,7 @@ fn a_wrong_decision_of_theirs_is_a_finding_and_no_failure() {
         feature = 'peers'\nvariants = ['^peer-.*$']\n[workload]\nkind = 'pairs'\ncount = 40\n\
         density = [0.5]\nquery = 'ray'\norders = ['fixed']\n[workload.stiff]\ncases = 500\n\
         knobs = { tiny = 4, near-edge = 4 }\n";
-    let outcome = rows(text);
+    let outcome = crate::support::run_all(text, 16);
     assert!(outcome.wrong.is_empty(), "{:?}", outcome.wrong);
     let (timed, stiff): (Vec<_>, Vec<_>) =
         outcome.rows.iter().partition(|row| row.workload == "pairs-ray");
@@ -160,25 +156,4 @@ fn a_wrong_decision_of_theirs_is_a_finding_and_no_failure() {
             assert_eq!((row.false_hits, row.false_misses), (Some(0), Some(0)), "{row:?}");
         }
     }
-}
-
-/// Runs an experiment on a clock of which every reading is a block after the one before.
-fn rows(text: &str) -> Outcome {
-    let experiment = Experiment::parse("test.toml", text).expect("the test's own text");
-    let plan = Plan::new("test.toml", experiment, None).expect("the test's own patterns");
-    let mut bench = Bench {
-        rounds: 16,
-        // The clock moves by its readings, not by work.
-        guards: false,
-        patience: 0,
-        clock: &mut ScriptedClock::new(60_000),
-        disturbance: &mut Undisturbed,
-        counters: &mut NoCounters,
-        forget: &mut Remember,
-        ruler: &mut NoRuler,
-        progress: &mut |_| {},
-        cancel: &AtomicBool::new(false),
-        keep: &mut KeepNothing,
-    };
-    run(&plan, &mut bench).expect("a workload that can be drawn")
 }

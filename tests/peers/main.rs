@@ -4,6 +4,9 @@
 
 #[cfg(feature = "peers")]
 mod answers;
+#[cfg(feature = "peers")]
+#[path = "../support/mod.rs"]
+mod support;
 
 use std::process::{Command, Output};
 
