@@ -31,6 +31,7 @@ pub fn of_axes(axes: &Axes) -> Row {
         reciprocal: axes.reciprocal.into(),
         leading: axes.leading.into(),
         edges: axes.edges.into(),
+        projection: axes.projection.into(),
         subnormals: axes.subnormals.into(),
         build: BuildInfo::of_this_program().label(),
         ..Row::default()

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 39] = [
+const IDS: [&str; 41] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -16,6 +16,7 @@ const IDS: [&str; 39] = [
     "b-4.5",
     "b-4.7",
     "b-4.9",
+    "batches",
     "branches-packets",
     "branches",
     "bundles",
@@ -44,6 +45,7 @@ const IDS: [&str; 39] = [
     "points",
     "precision",
     "precompute",
+    "projection",
     "reciprocal",
     "tests-form",
     "tests-order",

@@ -15,12 +15,13 @@ fn yardstick(variant: &Variant) -> &'static Variant {
         let id = Axes { drive: drive.into(), ..axes.clone() }.id();
         return find(&id).unwrap_or_else(|| panic!("{}: no {id}", variant.id()));
     }
+    let projection = if axes.projection.is_empty() { "" } else { "one-index" };
     let level = match (axes.level, axes.rounding) {
         ("neon", _) => "neon",
         (_, "fused") => "avx2",
         _ => "sse2",
     };
-    let id = Axes { drive: "single".into(), level, layout: "aos", ..axes.clone() }.id();
+    let id = Axes { drive: "single".into(), level, layout: "aos", projection, ..axes.clone() }.id();
     find(&id).unwrap_or_else(|| panic!("{}: no {id}", variant.id()))
 }
 
@@ -41,11 +42,12 @@ fn is_long(axes: &Axes) -> bool {
     axes.drive.starts_with("packet") && together(&axes.drive) > register
 }
 
-/// Groups, bundles, long packets and other layouts, with those that this processor has and the number of the others.
+/// Groups, bundles, long packets, other layouts and other ways to project, with those that this processor has and the number of the others.
 fn driven() -> (Vec<&'static Variant>, usize) {
     let driven = variants().iter().filter(|variant| {
         let axes = &variant.axes;
-        axes.layout != "aos" || axes.drive.starts_with("bundle") || is_long(axes)
+        let projects = !["", "one-index"].contains(&axes.projection);
+        axes.layout != "aos" || axes.drive.starts_with("bundle") || is_long(axes) || projects
     });
     let (here, missing): (Vec<_>, Vec<_>) = driven.partition(|variant| (variant.available)());
     (here, missing.len())
@@ -62,6 +64,7 @@ fn suits(variant: &Variant, kind: Kind) -> bool {
     match variant.axes.drive.split_once('-') {
         Some((_, "common-origin")) => kind == Kind::Coherent,
         Some((_, "parallel")) => kind == Kind::Parallel,
+        _ if variant.axes.projection == "fixed" => kind == Kind::Terrain,
         _ => true,
     }
 }
@@ -80,7 +83,7 @@ fn set(kind: Kind, seed: u64) -> NearestSet {
 #[test]
 fn every_drive_gives_what_single_rays_give() {
     let (mut compared, mut hits) = (0, 0);
-    let sets = [(Kind::Random, 3), (Kind::Coherent, 4), (Kind::Parallel, 5)];
+    let sets = [(Kind::Random, 3), (Kind::Coherent, 4), (Kind::Parallel, 5), (Kind::Terrain, 6)];
     let sets = sets.map(|(kind, seed)| (kind, set(kind, seed)));
     let (driven, missing) = driven();
     for variant in driven {
@@ -104,7 +107,7 @@ fn every_drive_gives_what_single_rays_give() {
 
 /// Rays that all drives can take, per variant.
 fn suitable(variant: &Variant, seed: u64) -> NearestSet {
-    let kinds = [Kind::Random, Kind::Coherent, Kind::Parallel];
+    let kinds = [Kind::Random, Kind::Coherent, Kind::Parallel, Kind::Terrain];
     let kind = kinds.into_iter().find(|kind| suits(variant, *kind));
     set(kind.expect("one of them suits"), seed)
 }

@@ -5,6 +5,7 @@
 
 mod aligned;
 mod arithmetic;
+mod batches;
 mod best;
 mod bundle;
 mod data;
@@ -25,6 +26,7 @@ mod stream;
 mod tiles_job;
 
 pub use arithmetic::{ArithmeticJob, OPERATIONS};
+pub use batches::Batches;
 pub use best::Best;
 pub use bundle::Bundle;
 pub use data::{LoopOver, PairsJob, PairsLoop, widened};

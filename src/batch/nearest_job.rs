@@ -3,8 +3,9 @@
 use std::hint::black_box;
 
 use super::aligned::Aligned;
+use super::batches::lay_out_batches;
 use super::best::ANSWER_NUMBERS;
-use super::layout::{Layout, lay_out, length};
+use super::layout::{Aos, Layout, lay_out, length};
 use super::nearest::{RAY_NUMBERS, Scene};
 use super::packed::{self, pack, unpack};
 use crate::job::{Answer, Block, Job, Tally};
@@ -40,6 +41,10 @@ impl<E: Element, T: AsRef<[E]>> Storing<E, T> {
     /// In layout `Y`.
     pub fn of<Y: Layout>() -> Self {
         Storing { length: length::<E, T, Y>, lay_out: lay_out::<E, T, Y>, runs: Y::runs }
+    }
+    /// Triangle by triangle, in batches by the axis of their projection.
+    pub fn batches() -> Self {
+        Storing { lay_out: lay_out_batches::<E, T>, ..Self::of::<Aos>() }
     }
 }
 

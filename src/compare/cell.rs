@@ -6,7 +6,7 @@ use super::side::Side;
 use crate::table::Row;
 
 /// Columns that say what was measured, besides the id.
-const NAMES: [&str; 21] = [
+const NAMES: [&str; 22] = [
     "experiment",
     "kernel",
     "precision",
@@ -21,6 +21,7 @@ const NAMES: [&str; 21] = [
     "tests_form",
     "reciprocal",
     "edges",
+    "projection",
     "leading",
     "code",
     "priced",

@@ -20,7 +20,7 @@ pub struct NearestWorkload {
     /// Rays in `reshuffled` order, of which each block takes others.
     #[serde(default = "reshuffled_rays")]
     pub reshuffled_rays: usize,
-    /// `random`, `coherent`, `parallel` or `bunches`.
+    /// `random`, `coherent`, `parallel`, `bunches` or `terrain`.
     #[serde(default)]
     pub coherence: workload::Kind,
     /// Of bunches: how far their rays lie apart, a set of rays for each.
@@ -93,12 +93,12 @@ impl NearestWorkload {
         let needed = match variant.axes.drive.split_once('-') {
             Some((_, "common-origin")) => workload::Kind::Coherent,
             Some((_, "parallel")) => workload::Kind::Parallel,
+            _ if variant.axes.projection == "fixed" => workload::Kind::Terrain,
             _ => return Ok(()),
         };
         if self.coherence != needed {
             return Err(format!(
-                "workload.coherence: {} is not allowed; allowed: {}, what the rays of {} have in \
-                 common",
+                "workload.coherence: {} is not allowed; allowed: {}, which {} relies on",
                 self.coherence.word(),
                 needed.word(),
                 variant.id()

@@ -8,15 +8,18 @@
 //! 10 x, 12 +-, 1 /; divided last 18 x (15 before the last test).
 //! Known weakness: the plane's constant cancels far from the origin; slivers lose u and v twice.
 
+use std::marker::PhantomData;
+
 use super::perpendicular_planes::planes;
+use super::projection::{OneIndex, Projection};
 use super::shevtsov::{cycle, unprojected};
 use super::stored::{plain_cross, plain_dot};
 use super::{About, Begun, Corners, Kernel, Source};
-use crate::number::{Axis, Element, Real, Vec3, dominant, spread};
+use crate::number::{Axis, Element, Real, Vec3, spread};
 use crate::policy::{Found, Miss, Policy, Ray, Scale};
 
-/// See the module's text.
-pub struct Wald;
+/// See the module's text. `X` says how the axis of the projection is known.
+pub struct Wald<X = OneIndex>(PhantomData<X>);
 
 /// TriAccel: three times three constants and a word of padding each. In the record: n_u / n_w,
 /// n_v / n_w, n . a / n_w and the axis w; b_u, b_v, b_d and the sign of n_w (the original leaves that
@@ -24,15 +27,17 @@ pub struct Wald;
 #[derive(Clone, Copy)]
 pub struct Met<R: Real> {
     w: Axis<R::Mask>,
+    u: Axis<R::Mask>,
+    v: Axis<R::Mask>,
     n: Vec3<R>,
     b: Vec3<R>,
     c: Vec3<R>,
     normal: Vec3<R>,
 }
 
-spread!(Met { w, n, b, c, normal });
+spread!(Met { w, u, v, n, b, c, normal });
 
-impl Kernel for Wald {
+impl<X: Projection> Kernel for Wald<X> {
     const ABOUT: About = About {
         id: "wald",
         name: "Wald",
@@ -43,15 +48,15 @@ impl Kernel for Wald {
         watertight: false,
         codes: &["det is 0", "t outside", "u, v or u + v outside"],
     };
-    type Record<E: Element> = [E; 12];
+    type Record<E: Element> = X::Record<E>;
     type Met<R: Real> = Met<R>;
     type Aim<R: Real> = ();
     type Begun<R: Real> = Begun<R>;
 
-    fn prepare<E: Element>(corners: &Corners<E>) -> [E; 12] {
+    fn prepare<E: Element>(corners: &Corners<E>) -> X::Record<E> {
         let (ab, ac) = corners.edges();
         let n = plain_cross(ab, ac);
-        let w = dominant(n);
+        let w = X::axis(n);
         let [iw, iu, iv] = cycle(w);
         // |AB_u AC_u; AB_v AC_v| is n_w itself.
         let inverse = E::ONE / n.0[iw];
@@ -61,14 +66,15 @@ impl Kernel for Wald {
         let b = Vec3([ac.0[iv], -ac.0[iu], av * ac.0[iu] - au * ac.0[iv]]).scaled(inverse);
         let c = Vec3([-ab.0[iv], ab.0[iu], au * ab.0[iv] - av * ab.0[iu]]).scaled(inverse);
         let plane = Vec3([plane.x(), plane.y(), plain_dot(plane, a)]);
-        planes([(plane, E::from_index(w)), (b, E::ONE.signed_by(n.0[iw])), (c, E::ZERO)])
+        let sign = E::ONE.signed_by(n.0[iw]);
+        X::record(planes([(plane, E::from_index(w)), (b, sign), (c, E::ZERO)]))
     }
 
     #[inline(always)]
     fn read<P: Policy, T: Real, S: Source<T>>(stored: &S) -> Met<T> {
-        let (w, n, nw) = (stored.axis(3), stored.vector(0), stored.number(7));
+        let ([w, u, v], n, nw) = (X::axes(stored), stored.vector(0), stored.number(7));
         let normal = unprojected(w, [n.x(), n.y(), nw.one()], nw);
-        Met { w, n, b: stored.vector(4), c: stored.vector(8), normal }
+        Met { w, u, v, n, b: stored.vector(4), c: stored.vector(8), normal }
     }
 
     #[inline(always)]
@@ -91,7 +97,7 @@ impl Kernel for Wald {
         begun: &Begun<R>,
     ) -> Result<Found<R>, Miss> {
         let Begun { hit, t, scale, .. } = *begun;
-        let (u, v) = (tri.w.next(), tri.w.next().next());
+        let (u, v) = (tri.u, tri.v);
         let (o, d) = (&ray.origin, &ray.direction);
         let pu = P::along(u.pick(o), u.pick(d), t, scale);
         let pv = P::along(v.pick(o), v.pick(d), t, scale);
@@ -111,7 +117,7 @@ impl<R: Real> Met<R> {
     /// p_u n_u + p_v n_v + p_w, all over n_w.
     #[inline(always)]
     fn along<P: Policy>(&self, p: &Vec3<R>) -> R {
-        let (u, v) = (self.w.next().pick(p), self.w.next().next().pick(p));
+        let (u, v) = (self.u.pick(p), self.v.pick(p));
         P::multiply_add(v, self.n.y(), P::multiply_add(u, self.n.x(), self.w.pick(p)))
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::kernels::{Edges, Fallback};
+use crate::kernels::{Edges, Fallback, OneIndex, Projection};
 use crate::policy::{Division, Exit, Facing, Leading, Output, Policy, Reciprocal, Rounding, Tests};
 
 use super::Offers;
@@ -49,6 +49,9 @@ pub struct Axes {
     /// How edge functions keep their signs: `fallback`, `no-fallback` or `exact-sign`; empty for
     /// kernels that have no such choice.
     pub edges: &'static str,
+    /// How the axis of the projection is known: `one-index`, `three-indices`, `fixed` or `batches`; empty
+    /// for kernels that have no such choice.
+    pub projection: &'static str,
     /// `kept`, or `flushed` to zero.
     pub subnormals: &'static str,
     /// 0, or the number of a placebo.
@@ -56,7 +59,7 @@ pub struct Axes {
 }
 
 /// The columns of `list variants` behind `id` and `available`.
-pub const COLUMNS: [&str; 18] = [
+pub const COLUMNS: [&str; 19] = [
     "kernel",
     "precision",
     "drive",
@@ -74,6 +77,7 @@ pub const COLUMNS: [&str; 18] = [
     "tests",
     "reciprocal",
     "edges",
+    "projection",
     "subnormals",
 ];
 
@@ -100,6 +104,7 @@ impl Axes {
             tests: "compare",
             reciprocal: "divide",
             edges: "",
+            projection: "",
             subnormals: "kept",
             copy: 0,
         }
@@ -120,12 +125,13 @@ impl Axes {
             tests: P::Tests::NAME,
             reciprocal: P::Reciprocal::NAME,
             edges: K::EDGES,
+            projection: K::PROJECTION,
             ..Axes::usual(K::ABOUT.id, precision, level)
         }
     }
 
     /// The values of [`COLUMNS`].
-    pub fn values(&self) -> [&str; 18] {
+    pub fn values(&self) -> [&str; 19] {
         [
             self.kernel,
             self.precision,
@@ -144,6 +150,7 @@ impl Axes {
             self.tests,
             self.reciprocal,
             self.edges,
+            self.projection,
             self.subnormals,
         ]
     }
@@ -159,6 +166,7 @@ impl Axes {
             ("layout", self.layout.into(), self.layout == "aos"),
             ("leading", self.leading.into(), self.leading_is_native),
             ("priced", self.priced.into(), self.priced.is_empty()),
+            ("projection", self.projection.into(), ["", OneIndex::NAME].contains(&self.projection)),
             ("query", self.query.into(), self.query == "ray"),
             ("reciprocal", self.reciprocal.into(), self.reciprocal == "divide"),
             ("stored", self.stored.into(), self.stored_is_native),

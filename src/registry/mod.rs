@@ -13,6 +13,7 @@ mod packets;
 #[cfg(feature = "peers")]
 mod peers;
 mod points;
+mod projections;
 mod registers;
 mod sharing;
 mod streams;
@@ -111,6 +112,7 @@ pub fn variants() -> &'static [Variant] {
         drives::all(&mut variants);
         sharing::all(&mut variants);
         techniques::all(&mut variants);
+        projections::all(&mut variants);
         points::all(&mut variants);
         listings::all(&mut variants);
         #[cfg(feature = "peers")]

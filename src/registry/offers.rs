@@ -3,8 +3,8 @@
 use crate::kernels::{
     AngleSum, BadouelCramer, BaldwinWeber, Chirkov, Column, Edges, EmbreePlucker, HalfSpaces,
     Keidy, KenslerShirley, Kernel, MollerTrumbore, MollerTrumboreInF64, PerpendicularPlanes,
-    Plucker, Precomputed, Shevtsov, SignedAreas, Stored, Vertices, Wald, WithNormal, WoopAffine,
-    WoopWatertight,
+    Plucker, Precomputed, Projection, Shevtsov, SignedAreas, Stored, Vertices, Wald, WithNormal,
+    WoopAffine, WoopWatertight,
 };
 use crate::policy::{Distance, Inside, Leading};
 
@@ -30,6 +30,8 @@ pub trait Offers: Kernel {
     const F64: bool = true;
     /// How its edge functions keep their signs; empty where it has no such choice.
     const EDGES: &'static str = "";
+    /// How it knows the axis of its projection; empty where it has no such choice.
+    const PROJECTION: &'static str = "";
     /// It stands for the others where triangles come in groups.
     const GROUPS: bool = false;
     /// It stands for the others in bundles: something is computed of a triangle alone, or, as with
@@ -76,7 +78,8 @@ impl Offers for BadouelCramer {
     type Native = Distance;
     const SIGN_BITS: bool = true;
 }
-impl Offers for Wald {
+impl<X: Projection> Offers for Wald<X> {
+    const PROJECTION: &'static str = X::NAME;
     type Native = Distance;
     const GROUPS: bool = true;
     const BUNDLES: bool = true;

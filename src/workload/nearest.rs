@@ -23,6 +23,8 @@ const ALLOWANCE: f64 = 16.0;
 const LARGEST_ASPECT: f64 = 100.0;
 /// How often one ray is drawn.
 const MOST_ATTEMPTS: u64 = 1000;
+/// What heights of a terrain are multiplied by: a power of two, so that it rounds nothing.
+const FLATNESS: f32 = 0.0625;
 /// The scene is the unit ball; segments end this far beyond it.
 const BEYOND: f32 = 0.25;
 /// Distance of the camera from the centre of the scene.
@@ -44,6 +46,8 @@ pub enum Kind {
     Coherent,
     /// By bunches of 16: each ray runs near the bunch's own random ray, see [`NearestSpec::spread`].
     Bunches,
+    /// A camera above a terrain: no triangle is steeper than 45 degrees; else as `coherent`.
+    Terrain,
     /// One direction, along no axis; 16 consecutive rays are a 4 x 4 tile of a picture without
     /// perspective.
     Parallel,
@@ -56,6 +60,7 @@ impl Kind {
             Kind::Random => "random",
             Kind::Coherent => "coherent",
             Kind::Bunches => "bunches",
+            Kind::Terrain => "terrain",
             Kind::Parallel => "parallel",
         }
     }
@@ -115,7 +120,8 @@ impl NearestSet {
     pub fn draw(spec: NearestSpec) -> Result<Self, WorkloadError> {
         validated(&spec)?;
         let mut source = Pcg::new(spec.seed);
-        let triangles: Vec<Triangle> = (0..spec.triangles).map(|_| triangle(&mut source)).collect();
+        let one = if spec.kind == Kind::Terrain { flat_triangle } else { triangle };
+        let triangles: Vec<Triangle> = (0..spec.triangles).map(|_| one(&mut source)).collect();
         let camera = Camera::new(spec.rays);
         let mut bunch = [Vec3::ZERO; 2];
         let mut rays = Vec::with_capacity(spec.rays);
@@ -130,7 +136,7 @@ impl NearestSet {
                 tries += 1;
                 let ray = match spec.kind {
                     Kind::Random => random_ray(&mut source),
-                    Kind::Coherent => camera.ray(index, &mut source),
+                    Kind::Coherent | Kind::Terrain => camera.ray(index, &mut source),
                     Kind::Bunches => bunched_ray(bunch, spec.spread, &mut source),
                     Kind::Parallel => camera.parallel_ray(index, &mut source),
                 };
@@ -189,6 +195,19 @@ fn triangle(source: &mut Pcg) -> Triangle {
         let c = on_sphere(source);
         let triangle = Triangle { a, b, c };
         if aspect(&triangle) <= LARGEST_ASPECT {
+            return triangle;
+        }
+    }
+}
+
+/// A triangle whose normal has its largest component along z.
+fn flat_triangle(source: &mut Pcg) -> Triangle {
+    loop {
+        let flat = |p: Vec3| Vec3::new(p.x, p.y, p.z * FLATNESS);
+        let Triangle { a, b, c } = triangle(source);
+        let triangle = Triangle { a: flat(a), b: flat(b), c: flat(c) };
+        let n = (triangle.b - triangle.a).cross(triangle.c - triangle.a).abs();
+        if n.z >= n.x && n.z >= n.y && aspect(&triangle) <= LARGEST_ASPECT {
             return triangle;
         }
     }

@@ -1,7 +1,8 @@
 use super::*;
 use crate::oracle::{Query, classify, nearest};
 
-const KINDS: [Kind; 4] = [Kind::Random, Kind::Coherent, Kind::Bunches, Kind::Parallel];
+const KINDS: [Kind; 5] =
+    [Kind::Random, Kind::Coherent, Kind::Bunches, Kind::Parallel, Kind::Terrain];
 
 fn spec(kind: Kind) -> NearestSpec {
     let spread = if kind == Kind::Bunches { 0.125 } else { 0.0 };
@@ -107,8 +108,17 @@ fn sets_are_golden() {
         0xd142_4406_1bd4_cf1a,
         0x61b3_fd04_a84e_0afc,
         0x6cb5_d400_6087_07ee,
+        0x0,
     ];
     assert_eq!(hashes, golden, "{hashes:#x?}");
+}
+
+#[test]
+fn a_terrain_is_nowhere_steeper_than_half_a_right_angle() {
+    for Triangle { a, b, c } in NearestSet::draw(spec(Kind::Terrain)).unwrap().triangles {
+        let n = (b - a).cross(c - a).abs();
+        assert!(n.z >= n.x && n.z >= n.y && n.z > 0.0, "{n}");
+    }
 }
 
 #[test]

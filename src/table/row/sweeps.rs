@@ -62,6 +62,8 @@ macro_rules! sweeps_columns {
             subnormals: String,
             /// `divide`, or `estimate`, `newton`, `newton-2`: how reciprocals are computed.
             reciprocal: String,
+            /// How the axis of a projection is known: `one-index`, `three-indices`, `fixed` or `batches`.
+            projection: String,
             /// Bunches of rays: how far they lie apart, in radii of the scene.
             spread: Option<f64>,
             /// Packets that leave early: operations that their rays' own tests would do, over those
