@@ -108,9 +108,12 @@ impl Tests for SignBitsSafe {
     const LEAVES_NAN: bool = true;
     #[inline(always)]
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask {
+        // A range of a ray's own may end in NaN on either side; one that begins at 0 is a search's.
+        if !S::FROM_ZERO {
+            return Compare::range::<S, R>(t, lower, upper);
+        }
         let (t, upper) = (t + t.zero(), upper + t.zero());
-        let above = if S::FROM_ZERO { t } else { t - lower };
-        !above.either_sign(upper - t).sign_bit()
+        !t.either_sign(upper - t).sign_bit()
     }
     #[inline(always)]
     fn ahead<R: Real>(t: R) -> R::Mask {
