@@ -69,34 +69,32 @@ impl Kernel for EmbreePlucker {
     }
 }
 
-/// The corners as seen from the origin.
+/// The corners as seen from the origin, and the edges e0, e1 and e2.
 #[derive(Clone, Copy)]
-struct Seen<R>(Corners<R>);
+struct Seen<R> {
+    corners: Corners<R>,
+    edges: [Vec3<R>; 3],
+}
 
 impl<R: Real> Seen<R> {
     #[inline(always)]
     fn of(ray: &Ray<R>, tri: &Corners<R>) -> Self {
         let o = ray.origin;
-        Seen(Corners { a: tri.a - o, b: tri.b - o, c: tri.c - o })
-    }
-    #[inline(always)]
-    fn edges(&self) -> [Vec3<R>; 3] {
-        let Corners { a, b, c } = self.0;
-        [c - a, a - b, b - c]
+        let (a, b, c) = (tri.a - o, tri.b - o, tri.c - o);
+        Seen { corners: Corners { a, b, c }, edges: [c - a, a - b, b - c] }
     }
     /// Twice the normals of the planes through the origin and an edge.
     #[inline(always)]
     fn sides<P: Policy>(&self) -> [Vec3<R>; 3] {
-        let Corners { a, b, c } = self.0;
-        let [e0, e1, e2] = self.edges();
+        let (Corners { a, b, c }, [e0, e1, e2]) = (self.corners, self.edges);
         [P::cross(e0, c + a), P::cross(e1, a + b), P::cross(e2, b + c)]
     }
     /// The triangle's plane: its normal, and a . n.
     #[inline(always)]
     fn plane<P: Policy>(&self) -> (Vec3<R>, R) {
-        let [e0, e1, e2] = self.edges();
+        let [e0, e1, e2] = self.edges;
         let n = stable_normal::<P, R>(e0, e1, e2);
-        (n, P::dot(n, self.0.a))
+        (n, P::dot(n, self.corners.a))
     }
 }
 
