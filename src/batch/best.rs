@@ -72,7 +72,7 @@ impl<R: Real> Best<R> {
         (self.hit, [self.triangle, self.t, self.u, self.v, x, y, z])
     }
 
-    /// The answer: the numbers of [`ANSWER_NUMBERS`].
+    /// The answer: triangle, t, u, v, point, normal.
     #[inline(always)]
     pub fn rows<P: Policy>(&self, ray: &Ray<R>) -> [R; ANSWER_NUMBERS] {
         let point = if P::Output::SURFACE {
@@ -90,7 +90,7 @@ impl<R: Real> Best<R> {
         [triangle[0], self.t, self.u, self.v, x, y, z, nx, ny, nz]
     }
 
-    /// Stores the answer: [`ANSWER_NUMBERS`] rows of [`Real::LANES`] numbers.
+    /// Stores the answer: ten rows of [`Real::LANES`] numbers.
     #[inline(always)]
     pub fn write<P: Policy>(&self, ray: &Ray<R>, answer: &mut [R::Element]) {
         let places = answer.chunks_exact_mut(R::LANES);

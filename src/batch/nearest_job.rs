@@ -29,9 +29,9 @@ pub struct Shape {
 /// How records are written in a layout.
 #[derive(Clone, Copy)]
 pub struct Storing<E, T> {
-    /// As [`length`].
+    /// How many numbers records take.
     pub length: fn(&[T]) -> usize,
-    /// As [`lay_out`].
+    /// Writes records into numbers, as many as `length` says.
     pub lay_out: fn(&[T], &mut [E]),
     /// As [`Layout::runs`].
     pub runs: fn(usize) -> usize,
