@@ -4,6 +4,7 @@
 //! named generator; so nothing depends on a platform's mathematics, on the order of a hash map, or
 //! on how some library draws from a range. A hash over every number drawn goes into each result.
 
+mod camera;
 mod error;
 pub mod hash;
 mod nearest;

@@ -1,5 +1,6 @@
 //! Rays against all triangles, the nearest hit beyond doubt.
 
+use super::camera::Camera;
 use super::error::counted;
 use super::random::{Pcg, Unit};
 use super::settled::{Standing, aspect};
@@ -8,9 +9,7 @@ use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
 /// Lanes of the widest packet; the number of rays is a multiple of it.
-const PACKET: usize = 16;
-/// Side of the tile of pixels that one packet covers.
-const TILE: usize = 4;
+pub(super) const PACKET: usize = 16;
 /// Beyond this the nearest hits lie so close together that rounding decides most of them.
 const MOST_TRIANGLES: u64 = 1 << 16;
 /// Each of the two, and their product, is bounded: drawing is a test of every ray and triangle.
@@ -26,12 +25,7 @@ const MOST_ATTEMPTS: u64 = 1000;
 /// What heights of a terrain are multiplied by: a power of two, so that it rounds nothing.
 const FLATNESS: f32 = 0.0625;
 /// The scene is the unit ball; segments end this far beyond it.
-const BEYOND: f32 = 0.25;
-/// Distance of the camera from the centre of the scene.
-const CAMERA: f32 = 3.0;
-/// Where parallel rays go, not normalised: no component is 0 and no two are alike.
-const DIRECTION: Vec3 = Vec3::new(1.0, -2.0, 4.0);
-
+pub(super) const BEYOND: f32 = 0.25;
 /// Of bunches: from there on they are random rays.
 const MOST_SPREAD: f32 = 1000.0;
 
@@ -258,53 +252,9 @@ fn near(point: Vec3, spread: f32, source: &mut Pcg) -> Vec3 {
     }
 }
 
-fn ray(origin: Vec3, direction: Vec3, length: f32) -> Ray {
+/// From t = 0 to the largest number, and a segment of that length.
+pub(super) fn ray(origin: Vec3, direction: Vec3, length: f32) -> Ray {
     Ray { origin, direction, end: origin + direction * length, t_min: 0.0, t_max: f32::MAX }
-}
-
-/// A pinhole on the negative z axis that looks at the square around the unit ball's equator.
-struct Camera {
-    /// Tiles in a row of the picture.
-    columns: usize,
-    /// Rows of tiles.
-    rows: usize,
-}
-
-impl Camera {
-    /// As nearly square as tiles allow.
-    fn new(rays: usize) -> Self {
-        let tiles = rays / PACKET;
-        let columns = tiles.isqrt() + usize::from(tiles.isqrt().pow(2) < tiles);
-        Camera { columns, rows: tiles.div_ceil(columns) }
-    }
-
-    /// A random point of pixel `index`, pixels counted tile by tile, in the square from -1 to 1.
-    fn point(&self, index: usize, source: &mut Pcg) -> [f32; 2] {
-        let (tile, pixel) = (index / PACKET, index % PACKET);
-        let column = tile % self.columns * TILE + pixel % TILE;
-        let row = tile / self.columns * TILE + pixel / TILE;
-        let x = (column as f32 + source.unit()) / (self.columns * TILE) as f32;
-        let y = (row as f32 + source.unit()) / (self.rows * TILE) as f32;
-        [2.0 * x - 1.0, 2.0 * y - 1.0]
-    }
-
-    /// A ray through a random point of pixel `index`.
-    fn ray(&self, index: usize, source: &mut Pcg) -> Ray {
-        let [x, y] = self.point(index, source);
-        let origin = Vec3::new(0.0, 0.0, -CAMERA);
-        let target = Vec3::new(x, y, 0.0);
-        ray(origin, thesis::normalised(target - origin), CAMERA + 1.0 + BEYOND)
-    }
-
-    /// A ray along [`DIRECTION`] through a random point of pixel `index`, in the plane across it.
-    fn parallel_ray(&self, index: usize, source: &mut Pcg) -> Ray {
-        let [x, y] = self.point(index, source);
-        let direction = thesis::normalised(DIRECTION);
-        let right = thesis::normalised(direction.cross(Vec3::Y));
-        let up = right.cross(direction);
-        let origin = right * x + up * y - direction * CAMERA;
-        ray(origin, direction, CAMERA + 1.0 + BEYOND)
-    }
 }
 
 #[cfg(test)]
