@@ -110,6 +110,12 @@ pub mod rows;
 pub mod chart;
 
 #[cfg(feature = "cli")]
+pub mod results;
+
+#[cfg(feature = "cli")]
+pub mod claims;
+
+#[cfg(feature = "cli")]
 pub mod compare;
 
 #[cfg(feature = "cli")]

@@ -22,6 +22,8 @@ macro_rules! timing_columns {
             generator: String,
             /// Build of the program: target and optimisation level.
             build: String,
+            /// Machine and build that the row comes from, where results of several are put together.
+            machine: String,
             /// Why the status is not `ok`.
             reason: String,
             /// Calls that end with `code`.
