@@ -41,6 +41,8 @@ pub trait Offers: Kernel {
     const LAYOUTS: bool = false;
     /// It stands for the others where reciprocals and branches are compared.
     const TECHNIQUES: bool = false;
+    /// It can ask for the inside first, and stands for those that do, all signs of it in one question.
+    const INSIDE_FIRST: bool = false;
     /// It yields u and v.
     const UV: bool = true;
     /// Its record is the first, or only, that the kernel has.
@@ -53,6 +55,7 @@ impl Offers for MollerTrumbore {
     const BUNDLES: bool = true;
     const TECHNIQUES: bool = true;
     const LAYOUTS: bool = true;
+    const INSIDE_FIRST: bool = true;
     const BOTH_ORDERS: bool = true;
     const SIGN_BITS: bool = true;
     const CULLS: bool = true;
@@ -63,6 +66,7 @@ impl<S: Stored + IsVertices> Offers for KenslerShirley<S> {
     const BUNDLES: bool = S::IS_VERTICES;
     const LAYOUTS: bool = S::IS_PRECOMPUTED;
     const TECHNIQUES: bool = S::IS_PRECOMPUTED;
+    const INSIDE_FIRST: bool = S::IS_PRECOMPUTED;
     const BOTH_ORDERS: bool = S::IS_VERTICES;
     const SIGN_BITS: bool = S::IS_VERTICES;
     const CULLS: bool = S::IS_VERTICES;

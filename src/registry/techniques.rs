@@ -3,8 +3,8 @@
 
 use crate::level::{Level, On};
 use crate::policy::{
-    Between, Compare, Divide, Division, Early, Estimated, Exit, First, Form, Full, Fused, Last,
-    Nearer, Once, Plain, Reciprocal, Rounding, Tuv, TwoSided,
+    Between, Compare, Divide, Division, Early, Estimated, Exit, First, Form, Full, Fused, Inside,
+    Last, Nearer, Once, Plain, Reciprocal, Rounding, SignBitsSafe, Tuv, TwoSided,
 };
 
 use super::forms::variant;
@@ -34,6 +34,10 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     estimates::<K, Sixteen, Avx512>(v);
     once::<K, f32, Sse2, Plain>(v);
     form::<K, f32, Avx2, Once, First, Fused, Divide>(v);
+    if K::INSIDE_FIRST {
+        signs::<K, Avx2, First>(v);
+        signs::<K, Avx2, Last>(v);
+    }
     once::<K, Sixteen, Avx512, Fused>(v);
     if cfg!(not(test)) {
         estimates::<K, Eight, Avx2>(v);
@@ -75,6 +79,16 @@ where
 {
     form::<K, R, L, Once, First, A, Divide>(v);
     form::<K, R, L, Once, Last, A, Divide>(v);
+}
+
+/// A single ray whose weights are asked for before anything else: their signs in one question, so that
+/// what misses the triangle leaves by one branch, always the same.
+fn signs<K: Offers, L: Level, D: Division>(v: &mut Vec<Variant>)
+where
+    f32: On<L>,
+{
+    type Of<D, S> = Form<Early, D, Fused, Tuv, TwoSided, SignBitsSafe, Inside, S, Divide>;
+    variant::<K, Of<D, Between>, Of<D, Nearer>, f32, L, 0>(v);
 }
 
 /// A form with t, u and v.

@@ -90,7 +90,7 @@ fn killed_at_any_moment_and_gone_on_with() {
 fn a_cut_last_line_is_measured_again() {
     let _turn = turn();
     let place = Place::new("cut");
-    assert!(kill(begun(&place, &["--profile", "standard"], "pairs", 20)));
+    assert!(kill(begun(&place, &["--profile", "standard"], "pairs", 10)));
     let journal = place.journal("out", "pairs");
     let text = fs::read_to_string(&journal).expect("it was waited for");
     fs::write(&journal, &text[..text.trim_end().len() - 40]).expect("ours");
@@ -106,7 +106,7 @@ fn a_cut_last_line_is_measured_again() {
 fn what_differs_is_refused_by_name_and_nothing_is_touched() {
     let _turn = turn();
     let place = Place::new("refused");
-    assert!(kill(begun(&place, &["--profile", "standard"], "pairs", 20)));
+    assert!(kill(begun(&place, &["--profile", "standard"], "pairs", 10)));
     let journal = place.journal("out", "pairs");
     // Without the piece that it was killed in, which is dropped as soon as a run goes on.
     let whole = read_journal(&journal).expect("it can be read").expect("it was waited for");
@@ -163,7 +163,7 @@ fn one_run_at_a_time() {
 #[test]
 fn interrupted_it_saves_shows_and_says_how_to_go_on() {
     let _turn = turn();
-    for (signal, id, number) in [("-INT", "pairs", 20), ("-TERM", "codes", 1)] {
+    for (signal, id, number) in [("-INT", "pairs", 10), ("-TERM", "codes", 1)] {
         let place = Place::new(&format!("signal{signal}"));
         let child = begun(&place, &["--profile", "standard"], id, number);
         let mut kill = std::process::Command::new("kill");

@@ -14,7 +14,7 @@ const EXPERIMENTS: [(&str, &str, &str); 4] = [
         "pairs",
         "'^(moller[0-3]|badouel|chirkov-line|wald)/f32/single/sse2/early/[a-z]+/plain/t(uv)?$', \
          '^keidy/f32/single/sse2/early/last/plain/tuv/query=point$'",
-        "kind = 'pairs'\ncount = 60\nreshuffled_count = 60\ndensity = [0.25, 0.5]\n\
+        "kind = 'pairs'\ncount = 60\nreshuffled_count = 60\ndensity = [0.25]\n\
          orders = ['literal', 'fixed', 'reshuffled']\nseconds_of_tests = 1000.0",
     ),
     (
