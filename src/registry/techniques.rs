@@ -4,7 +4,7 @@
 use crate::level::{Level, On};
 use crate::policy::{
     Between, Compare, Divide, Division, Early, Estimated, Exit, First, Form, Full, Fused, Inside,
-    Last, Nearer, Once, Plain, Reciprocal, Rounding, SignBitsSafe, Tuv, TwoSided,
+    Last, Leading, Nearer, Once, Plain, Reciprocal, Rounding, SignBitsSafe, Tuv, TwoSided,
 };
 
 use super::forms::variant;
@@ -35,8 +35,10 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     once::<K, f32, Sse2, Plain>(v);
     form::<K, f32, Avx2, Once, First, Fused, Divide>(v);
     if K::INSIDE_FIRST {
-        signs::<K, Avx2, First>(v);
-        signs::<K, Avx2, Last>(v);
+        signs::<K, Avx2, First, Inside>(v);
+        signs::<K, Avx2, Last, Inside>(v);
+    } else {
+        signs::<K, Avx2, First, K::Native>(v);
     }
     once::<K, Sixteen, Avx512, Fused>(v);
     if cfg!(not(test)) {
@@ -81,14 +83,14 @@ where
     form::<K, R, L, Once, Last, A, Divide>(v);
 }
 
-/// A single ray whose weights are asked for before anything else: their signs in one question, so that
-/// what misses the triangle leaves by one branch, always the same.
-fn signs<K: Offers, L: Level, D: Division>(v: &mut Vec<Variant>)
+/// A single ray whose weights are asked for in one question about their signs, before anything else
+/// where the kernel can: what misses the triangle leaves by one branch, always the same.
+fn signs<K: Offers, L: Level, D: Division, Q: Leading>(v: &mut Vec<Variant>)
 where
     f32: On<L>,
 {
-    type Of<D, S> = Form<Early, D, Fused, Tuv, TwoSided, SignBitsSafe, Inside, S, Divide>;
-    variant::<K, Of<D, Between>, Of<D, Nearer>, f32, L, 0>(v);
+    type Of<D, Q, S> = Form<Early, D, Fused, Tuv, TwoSided, SignBitsSafe, Q, S, Divide>;
+    variant::<K, Of<D, Q, Between>, Of<D, Q, Nearer>, f32, L, 0>(v);
 }
 
 /// A form with t, u and v.
