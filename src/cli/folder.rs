@@ -9,8 +9,11 @@ use super::unfinished::Keeper;
 use crate::chart::{Published, draw};
 use crate::experiment::{Experiment, Outcome, Plan};
 use crate::measure::{BuildInfo, Environment, now_rfc3339};
+use crate::results::{COMPLETE, DESCRIPTION, JOURNAL, ROWS, SHARD, TABLE};
+use crate::shard::Shard;
+use crate::stability::EXPERIMENT as STABILITY;
 use crate::table::{
-    Header, Journaled, RunFile, RunKey, SCHEMA_VERSION, read_journal, read_json,
+    Header, Journaled, Row, RunFile, RunKey, SCHEMA_VERSION, read_journal, read_json,
     remove_partial_files, write_atomically, write_csv, write_json,
 };
 use crate::workload::hash::Fnv;
@@ -44,6 +47,8 @@ pub struct Folder {
     environment: Environment,
     /// What rows depend on besides experiment, program and machine: profile and filter, as text.
     settings: String,
+    /// Which share of the work it is for; `None` for all of it.
+    shard: Option<Shard>,
 }
 
 /// What there is of an experiment before it runs.
@@ -70,7 +75,12 @@ impl Folder {
             PathBuf::from("results").join(format!("{time}-{:08x}", config_hash as u32))
         };
         let path = out.map_or_else(default, Path::to_path_buf);
-        Folder { path, environment, settings }
+        Folder { path, environment, settings, shard: None }
+    }
+
+    /// The same for a share of the work.
+    pub fn of_shard(self, shard: Shard) -> Self {
+        Folder { shard: Some(shard), ..self }
     }
 
     /// Creates it and finds out whether it can be written, before anything runs.
@@ -172,7 +182,7 @@ impl Folder {
                 self.begin(plan, Before::Nothing)?;
             }
             // The journal stands: what was there before is of another run.
-            for name in [ROWS, "rows.csv"] {
+            for name in [ROWS, TABLE] {
                 std::fs::remove_file(self.file(id, name)).ok();
             }
         }
@@ -186,6 +196,7 @@ impl Folder {
     pub fn begin(&self, plan: &Plan, before: Before) -> Result<Keeper, Failure> {
         let (id, seed) = (&plan.experiment.id, plan.experiment.seed);
         std::fs::create_dir_all(self.path.join(id))?;
+        write_atomically(&self.file(id, DESCRIPTION), plan.experiment.text.as_bytes())?;
         let contents = match before {
             Before::Begun(journaled) => journaled,
             Before::Nothing | Before::Finished(_) => {
@@ -235,18 +246,36 @@ impl Folder {
             .map_err(|error| Failure::Runtime(error.into()))?;
         environment[RUN_KEY] = json!(self.key(plan));
         environment[COMPLETE] = json!(!outcome.interrupted);
-        let mut hash = Fnv::default();
-        for row in &outcome.rows {
-            hash.bytes(row.workload_hash.as_bytes());
-        }
+        put_shard(&mut environment, self.shard, &outcome.places);
         Ok(RunFile {
             schema_version: SCHEMA_VERSION.to_owned(),
             environment,
             seed: plan.experiment.seed,
-            workload_hash: format!("{:016x}", hash.finish()),
+            workload_hash: workload_hash(&plan.experiment.id, &outcome.rows),
             rows: outcome.rows.clone(),
         })
     }
+}
+
+/// Says which share of the work a file of rows holds, and where they stand in the whole.
+pub fn put_shard(environment: &mut Value, shard: Option<Shard>, places: &[u64]) {
+    if let Some(shard) = shard {
+        environment[SHARD] = json!({ "part": shard.to_string(), "places": places });
+    }
+}
+
+/// Hash of what rows are about: of the hashes of their workloads, or in the sweep of stiff cases,
+/// where rows have none, of what these are drawn by.
+pub fn workload_hash(experiment: &str, rows: &[Row]) -> String {
+    let mut hash = Fnv::default();
+    for row in rows {
+        if experiment == STABILITY {
+            hash.bytes(format!("{} {:?} {:?}", row.workload, row.knob, row.cases).as_bytes());
+        } else {
+            hash.bytes(row.workload_hash.as_bytes());
+        }
+    }
+    format!("{:016x}", hash.finish())
 }
 
 /// The program in one line: what tells builds apart.
@@ -265,8 +294,5 @@ fn binary(build: &BuildInfo) -> String {
     )
 }
 
-const TABLE: &str = "rows.csv";
-const ROWS: &str = "rows.json";
-const JOURNAL: &str = "rows.ndjson";
+/// Field of a file's environment: what must be the same for the run to be gone on with.
 const RUN_KEY: &str = "run_key";
-const COMPLETE: &str = "complete";
