@@ -9,7 +9,7 @@ use super::arguments::{Batch, Reproduce, Run};
 use super::failure::Failure;
 use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
-use super::{interrupt, lock, progress, unfinished};
+use super::{interrupt, lock, progress, shards, unfinished};
 use crate::experiment::{
     ErrorsWorkload, Experiment, PairsWorkload, Plan, Profile, StiffWorkload, Workload, pattern_of,
     run as run_plan,
@@ -36,16 +36,25 @@ pub fn reproduce(arguments: &Reproduce) -> Result<(), Failure> {
 
 /// Everything that can be refused is refused before anything runs.
 fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
-    let plans = plans(&sources, batch)?;
+    let mut plans = plans(&sources, batch)?;
     if plans.is_empty() {
         // All of them are of another build, which was said.
         return Ok(());
+    }
+    if batch.shard.is_some() {
+        plans = shards::clock_free(plans)?;
     }
     let experiments: Vec<String> = plans.iter().map(|plan| plan.experiment.id.clone()).collect();
     batch.baselines.check(&experiments)?;
     let profile = batch.profile.value();
     if batch.dry_run {
         return dry_run(&plans, profile);
+    }
+    if let Some(shard) = batch.shard {
+        let environment = shards::environment();
+        let hash = config_hash(&plans, &sources, batch, &environment);
+        let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
+        return shards::carry_out(&plans, shard, batch.resume, &folder.of_shard(shard));
     }
     let _lock = lock::take()?;
     let (instruments, environment) = Instruments::set_up(batch.pin)?;
@@ -246,7 +255,7 @@ fn measure(
 }
 
 /// Says how to go on.
-fn interrupted(folder: &Folder) -> Failure {
+pub fn interrupted(folder: &Folder) -> Failure {
     let arguments = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
     let command = unfinished::resume_command(arguments, folder.path());
     eprintln!("what was measured is saved; to go on:\n  {command}");
@@ -254,7 +263,7 @@ fn interrupted(folder: &Folder) -> Failure {
 }
 
 /// A line per experiment, on stderr.
-fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Duration) {
+pub fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Duration) {
     let of = |status: &str| outcome.rows.iter().filter(|row| row.status == status).count();
     let mut notes = String::new();
     for status in ["skipped", "wrong-result", "invalid", "not-measured"] {
@@ -273,7 +282,8 @@ fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Du
 fn settings(batch: &Batch) -> String {
     let profile = format!("--profile {:?}", batch.profile).to_lowercase();
     let filter = batch.filter.as_ref().map(|filter| format!(" --filter {filter}"));
-    profile + filter.as_deref().unwrap_or("")
+    let shard = batch.shard.map(|shard| format!(" --shard {shard}"));
+    profile + filter.as_deref().unwrap_or("") + shard.as_deref().unwrap_or("")
 }
 
 /// Of everything that tells runs apart: experiments, profile, filter, build, machine.
@@ -287,6 +297,7 @@ fn config_hash(plans: &[Plan], sources: &[Source], batch: &Batch, here: &Environ
     }
     hash.bytes(format!("{:?}", batch.profile).as_bytes());
     hash.bytes(batch.filter.as_deref().unwrap_or("").as_bytes());
+    hash.bytes(batch.shard.unwrap_or_default().to_string().as_bytes());
     hash.bytes(format!("{:?}", here.build).as_bytes());
     hash.bytes(here.testbed_id.as_bytes());
     hash.finish()

@@ -5,15 +5,15 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::failure::Failure;
+use super::stored::{put_shard, workload_hash};
 use super::unfinished::Keeper;
 use crate::chart::{Published, draw};
 use crate::experiment::{Experiment, Outcome, Plan};
 use crate::measure::{BuildInfo, Environment, now_rfc3339};
-use crate::results::{COMPLETE, DESCRIPTION, JOURNAL, ROWS, SHARD, TABLE};
+use crate::results::{COMPLETE, DESCRIPTION, JOURNAL, ROWS, TABLE};
 use crate::shard::Shard;
-use crate::stability::EXPERIMENT as STABILITY;
 use crate::table::{
-    Header, Journaled, Row, RunFile, RunKey, SCHEMA_VERSION, read_journal, read_json,
+    Header, Journaled, RunFile, RunKey, SCHEMA_VERSION, read_journal, read_json,
     remove_partial_files, write_atomically, write_csv, write_json,
 };
 use crate::workload::hash::Fnv;
@@ -255,27 +255,6 @@ impl Folder {
             rows: outcome.rows.clone(),
         })
     }
-}
-
-/// Says which share of the work a file of rows holds, and where they stand in the whole.
-pub fn put_shard(environment: &mut Value, shard: Option<Shard>, places: &[u64]) {
-    if let Some(shard) = shard {
-        environment[SHARD] = json!({ "part": shard.to_string(), "places": places });
-    }
-}
-
-/// Hash of what rows are about: of the hashes of their workloads, or in the sweep of stiff cases,
-/// where rows have none, of what these are drawn by.
-pub fn workload_hash(experiment: &str, rows: &[Row]) -> String {
-    let mut hash = Fnv::default();
-    for row in rows {
-        if experiment == STABILITY {
-            hash.bytes(format!("{} {:?} {:?}", row.workload, row.knob, row.cases).as_bytes());
-        } else {
-            hash.bytes(row.workload_hash.as_bytes());
-        }
-    }
-    format!("{:016x}", hash.finish())
 }
 
 /// The program in one line: what tells builds apart.

@@ -10,6 +10,7 @@ mod check_rows;
 mod check_summary;
 mod compare;
 mod comparison;
+mod describe;
 mod doctor;
 mod failure;
 mod folder;
@@ -18,11 +19,15 @@ mod interrupt;
 mod list;
 mod lock;
 mod progress;
+mod publish;
+mod report;
+mod shards;
 mod show;
 mod slices;
 mod slips;
 mod stability;
 mod stability_tables;
+mod stored;
 mod thesis;
 mod unfinished;
 
@@ -65,6 +70,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Doctor(doctor)) => doctor::run(&doctor),
         Some(Verb::List(list)) => list::run(&list),
         Some(Verb::Compare(compare)) => compare::run(&compare),
+        Some(Verb::Report(report)) => report::run(&report),
         Some(Verb::Stability(stability)) => stability::run(&stability),
         Some(Verb::Check(check)) => check::run(&check),
     }

@@ -11,12 +11,12 @@ use serde_json::json;
 
 use super::arguments::Format;
 use super::failure::Failure;
-use super::folder::{Folder, put_shard, workload_hash};
+use super::folder::Folder;
 use super::show::print;
-use super::{interrupt, progress, stability_tables};
+use super::stored::{put_shard, workload_hash};
+use super::{interrupt, progress, shards, stability_tables};
 use crate::chart::{Published, draw, stability_figures};
-use crate::level::levels;
-use crate::measure::{Environment, WallClock};
+use crate::measure::Environment;
 use crate::shard::Shard;
 use crate::spread::Watch;
 use crate::stability::{
@@ -85,7 +85,7 @@ pub enum DepthWord {
 /// Checks everything, sweeps, writes rows and figures, prints the summary.
 pub fn run(arguments: &Stability) -> Result<(), Failure> {
     let sweep = sweep(arguments)?;
-    let environment = environment();
+    let environment = shards::environment();
     let hash = hash(arguments, &environment);
     let folder = Folder::new(arguments.out.as_deref(), hash, environment.clone(), String::new());
     folder.create()?;
@@ -122,12 +122,6 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
         return Err(Failure::Interrupted);
     }
     Ok(())
-}
-
-fn environment() -> Environment {
-    let has = |(level, available): (&str, bool)| available.then(|| level.to_owned());
-    let levels = levels().into_iter().filter_map(has).collect();
-    Environment { levels, ..Environment::capture(&mut WallClock::new()) }
 }
 
 fn sweep(arguments: &Stability) -> Result<Sweep, Failure> {
