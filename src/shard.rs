@@ -22,6 +22,11 @@ impl Shard {
     /// All of it.
     pub const WHOLE: Shard = Shard { part: 1, parts: 1 };
 
+    /// Its size over that of all.
+    pub fn share(self) -> f64 {
+        1.0 / self.parts as f64
+    }
+
     /// The places of its items in a list of so many.
     pub fn range(self, count: usize) -> Range<usize> {
         // Wide enough for every product of two lengths.

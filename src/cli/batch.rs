@@ -6,14 +6,12 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use super::arguments::{Batch, Reproduce, Run};
+use super::estimate::{dry_run, estimate};
 use super::failure::Failure;
 use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
 use super::{interrupt, lock, progress, shards, unfinished};
-use crate::experiment::{
-    ErrorsWorkload, Experiment, PairsWorkload, Plan, Profile, StiffWorkload, Workload, pattern_of,
-    run as run_plan,
-};
+use crate::experiment::{Experiment, Plan, pattern_of, run as run_plan};
 use crate::measure::Environment;
 use crate::workload::hash::Fnv;
 
@@ -48,13 +46,13 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     batch.baselines.check(&experiments)?;
     let profile = batch.profile.value();
     if batch.dry_run {
-        return dry_run(&plans, profile);
+        return dry_run(&plans, profile, batch.shard);
     }
     if let Some(shard) = batch.shard {
         let environment = shards::environment();
         let hash = config_hash(&plans, &sources, batch, &environment);
         let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
-        return shards::carry_out(&plans, shard, batch.resume, &folder.of_shard(shard));
+        return shards::carry_out(&plans, shard, batch, &folder.of_shard(shard));
     }
     let _lock = lock::take()?;
     let (instruments, environment) = Instruments::set_up(batch.pin)?;
@@ -73,7 +71,7 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     eprintln!(
         "{} experiments, about {} s; results in {}",
         plans.len(),
-        plans.iter().map(|plan| estimate(plan, profile).total()).sum::<f64>().ceil(),
+        plans.iter().map(|plan| estimate(plan, profile, None).total()).sum::<f64>().ceil(),
         folder.path().display()
     );
     let ended = measure(&plans, before, batch, &folder, instruments);
@@ -129,84 +127,6 @@ fn here(sources: &[Source]) -> Result<Vec<(&str, Experiment)>, Failure> {
         );
     }
     Ok(experiments)
-}
-
-/// What an experiment is expected to take, in seconds.
-struct Estimate {
-    timing: f64,
-    clock_free: f64,
-    drawing: f64,
-}
-
-impl Estimate {
-    fn total(&self) -> f64 {
-        self.timing + self.clock_free + self.drawing
-    }
-}
-
-/// Blocks take their time by design; drawing pairs, the exact answers and the check of each
-/// variant were measured at about these rates, and a figure takes a few milliseconds.
-fn estimate(plan: &Plan, profile: Profile) -> Estimate {
-    let timing = plan.seconds(profile);
-    let checked = (plan.cells().len() * plan.variants.len()) as f64;
-    let clock_free = match &plan.experiment.workload {
-        Workload::Codes(codes) => 0.4e-6 * (codes.pairs * plan.variants.len()) as f64,
-        Workload::Errors(errors) => of_errors(plan, errors),
-        Workload::Pairs(PairsWorkload { errors, stiff, .. }) => {
-            let random = errors.as_ref().map_or(0.0, |errors| of_errors(plan, errors));
-            let stiff = stiff.as_ref().map_or(0.0, |stiff| of_stiff(plan, stiff));
-            random + stiff + 2e-3 * checked + 10e-3 * plan.cells().len() as f64
-        }
-        _ => 2e-3 * checked + 10e-3 * plan.cells().len() as f64,
-    };
-    Estimate { timing, clock_free, drawing: 5e-3 * plan.experiment.figure.len() as f64 }
-}
-
-/// Both references; exact answers take as long as some ten forms.
-fn of_errors(plan: &Plan, errors: &ErrorsWorkload) -> f64 {
-    1e-6 * (errors.seeds * errors.hits * (2 * plan.variants.len() + 10)) as f64
-}
-
-/// Exact answers take as long as some ten forms.
-fn of_stiff(plan: &Plan, stiff: &StiffWorkload) -> f64 {
-    1e-6 * (stiff.knobs.len() * stiff.cases * (plan.variants.len() + 10)) as f64
-}
-
-fn dry_run(plans: &[Plan], profile: Profile) -> Result<(), Failure> {
-    let mut out = std::io::stdout().lock();
-    let mut sum = Estimate { timing: 0.0, clock_free: 0.0, drawing: 0.0 };
-    writeln!(
-        out,
-        "{:<14}{:>9}{:>7}{:>9}{:>12}{:>13}{:>12}",
-        "experiment", "variants", "cells", "blocks", "timing s", "clock-free s", "drawing s"
-    )?;
-    for plan in plans {
-        let one = estimate(plan, profile);
-        writeln!(
-            out,
-            "{:<14}{:>9}{:>7}{:>9}{:>12.1}{:>13.1}{:>12.1}",
-            plan.experiment.id,
-            plan.variants.len(),
-            plan.cells().len(),
-            plan.blocks(profile),
-            one.timing,
-            one.clock_free,
-            one.drawing
-        )?;
-        sum.timing += one.timing;
-        sum.clock_free += one.clock_free;
-        sum.drawing += one.drawing;
-    }
-    writeln!(
-        out,
-        "{:<39}{:>12.1}{:>13.1}{:>12.1}  in all {:.0} s",
-        "",
-        sum.timing,
-        sum.clock_free,
-        sum.drawing,
-        sum.total()
-    )?;
-    Ok(())
 }
 
 /// Runs plan by plan; each is saved when it is done, and saved as unfinished when interrupted.

@@ -12,7 +12,8 @@ pub fn describe(id: &str, text: Option<&str>) -> Option<About> {
     if id == STABILITY {
         return Some(of_stability());
     }
-    let built_in = built_in_sources().into_iter().find(|(name, _)| *name == format!("configs/{id}.toml"));
+    let built_in =
+        built_in_sources().into_iter().find(|(name, _)| *name == format!("configs/{id}.toml"));
     if let Some(text) = text {
         // What is the same as a file of ours is that file.
         let same = built_in.as_ref().filter(|(_, ours)| ours == text);
@@ -20,7 +21,9 @@ pub fn describe(id: &str, text: Option<&str>) -> Option<About> {
         let config = same.map_or(stored, |(name, _)| name.clone());
         match Experiment::parse(&config, text) {
             Ok(experiment) => return Some(of(experiment, config)),
-            Err(error) => eprintln!("note: {error}; the experiment of this program is taken instead"),
+            Err(error) => {
+                eprintln!("note: {error}; the experiment of this program is taken instead")
+            }
         }
     }
     let (name, text) = built_in?;

@@ -219,7 +219,8 @@ impl Folder {
     pub fn save(&self, plan: &Plan, outcome: &Outcome) -> Result<Vec<PathBuf>, Failure> {
         let id = &plan.experiment.id;
         write_csv(&self.table(plan), &outcome.rows)?;
-        let figures = if outcome.interrupted { Vec::new() } else { self.draw(plan, outcome)? };
+        let is_part = outcome.interrupted || self.shard.is_some();
+        let figures = if is_part { Vec::new() } else { self.draw(plan, outcome)? };
         // Last: it says that the experiment is complete.
         write_json(&self.file(id, ROWS), &self.run_file(plan, outcome)?)?;
         if !outcome.interrupted {

@@ -12,6 +12,7 @@ mod compare;
 mod comparison;
 mod describe;
 mod doctor;
+mod estimate;
 mod failure;
 mod folder;
 mod instruments;

@@ -57,9 +57,7 @@ pub fn run(arguments: &Report) -> Result<(), Failure> {
 /// Where everything goes, and whether that is the folder that it comes from, whose rows stay as
 /// they are: its run may yet be gone on with.
 fn out(arguments: &Report) -> Result<(PathBuf, bool), Failure> {
-    let same = |folder: &PathBuf, out: &Path| {
-        matches!((folder.canonicalize(), out.canonicalize()), (Ok(one), Ok(other)) if one == other)
-    };
+    let same = |folder: &PathBuf, out: &Path| matches!((folder.canonicalize(), out.canonicalize()), (Ok(one), Ok(other)) if one == other);
     match (&arguments.out, arguments.folders.as_slice()) {
         (None, [only]) if is_experiment(only) => Err(Failure::Usage(format!(
             "--out: {} is the folder of one experiment; allowed: a folder for its report",
@@ -102,7 +100,9 @@ fn say(results: &Results) {
     for chapter in &results.chapters {
         let id = &chapter.about.id;
         if !chapter.complete {
-            eprintln!("note: {id}: of an interrupted run, or a part is missing; shown is what it has");
+            eprintln!(
+                "note: {id}: of an interrupted run, or a part is missing; shown is what it has"
+            );
         }
         if chapter.about.figures.is_empty() {
             eprintln!("note: {id}: no experiment of that name is known; it has no figures");

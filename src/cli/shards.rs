@@ -4,9 +4,12 @@ use std::io::Write;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
+use super::arguments::Batch;
+use super::batch::{interrupted, said};
+use super::estimate::estimate;
 use super::failure::Failure;
 use super::folder::{Before, Folder};
-use super::{batch, interrupt, progress};
+use super::{interrupt, progress};
 use crate::experiment::{Plan, is_clock_free, run_shard};
 use crate::level::levels;
 use crate::measure::{Environment, WallClock};
@@ -48,11 +51,18 @@ pub fn clock_free(plans: Vec<Plan>) -> Result<Vec<Plan>, Failure> {
     Ok(plans.into_iter().filter(|plan| kind(plan).0).collect())
 }
 
-/// Runs the share of every plan, and saves it as a run of its own.
+/// Runs the share of every plan, and saves it as a run of its own, without figures: those of a
+/// part would show a part.
 ///
 /// # Errors
 /// As a run.
-pub fn carry_out(plans: &[Plan], shard: Shard, resume: bool, folder: &Folder) -> Result<(), Failure> {
+pub fn carry_out(
+    plans: &[Plan],
+    shard: Shard,
+    batch: &Batch,
+    folder: &Folder,
+) -> Result<(), Failure> {
+    let (profile, resume) = (batch.profile.value(), batch.resume);
     let before = |plan: &Plan| if resume { folder.before(plan) } else { Ok(Before::Nothing) };
     let before = plans.iter().map(before).collect::<Result<Vec<_>, _>>()?;
     folder.create()?;
@@ -62,8 +72,9 @@ pub fn carry_out(plans: &[Plan], shard: Shard, resume: bool, folder: &Folder) ->
         folder.begin_anew(plans)?;
     }
     eprintln!(
-        "part {shard} of {} experiments; results in {}",
+        "part {shard} of {} experiments, about {} s; results in {}",
         plans.len(),
+        plans.iter().map(|plan| estimate(plan, profile, Some(shard)).total()).sum::<f64>().ceil(),
         folder.path().display()
     );
     let cancel = interrupt::flag();
@@ -75,18 +86,18 @@ pub fn carry_out(plans: &[Plan], shard: Shard, resume: bool, folder: &Folder) ->
             continue;
         }
         if cancel.load(Ordering::Relaxed) {
-            return Err(batch::interrupted(folder));
+            return Err(interrupted(folder));
         }
         let start = Instant::now();
         // There is nothing to go on with within an experiment: its journal says that it has begun.
         folder.begin(plan, Before::Nothing)?;
         let outcome = run_shard(plan, shard, cancel)?;
         let figures = folder.save(plan, &outcome)?;
-        bar.suspend(|| batch::said(id, &outcome, figures.len(), start.elapsed()));
+        bar.suspend(|| said(id, &outcome, figures.len(), start.elapsed()));
         bar.inc(1);
         if outcome.interrupted {
             bar.finish_and_clear();
-            return Err(batch::interrupted(folder));
+            return Err(interrupted(folder));
         }
     }
     bar.finish_and_clear();

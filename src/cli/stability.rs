@@ -195,7 +195,8 @@ fn save(
     std::fs::create_dir_all(&path)?;
     write_csv(&path.join("rows.csv"), &outcome.rows)?;
     let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
-    let figures = if outcome.complete { stability_figures(&outcome.rows) } else { Vec::new() };
+    let is_whole = outcome.complete && shard.is_none();
+    let figures = if is_whole { stability_figures(&outcome.rows) } else { Vec::new() };
     for figure in &figures {
         let svg = draw(figure, &outcome.rows, &published)
             .map_err(|error| Failure::Runtime(error.into()))?;

@@ -50,8 +50,7 @@ pub(super) fn rows(
     cancel: &AtomicBool,
 ) -> Result<Vec<Placed>, WorkloadError> {
     let (id, seed, variants) = (&plan.experiment.id, plan.experiment.seed, &plan.variants);
-    let errors =
-        |hits| errors::rows(id, variants, hits, seed, shard, cancel);
+    let errors = |hits| errors::rows(id, variants, hits, seed, shard, cancel);
     match &plan.experiment.workload {
         Workload::Counts => counts::rows(id, seed, shard),
         Workload::Errors(hits) => Ok(errors(hits)),

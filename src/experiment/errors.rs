@@ -60,7 +60,9 @@ pub fn rows(
         let seed = seed.wrapping_add(number as u64);
         let found = of_seed_rows(experiment, variants, workload.hits, seed);
         let placed = of_seed.zip(found);
-        rows.extend(placed.flat_map(|(task, rows)| rows.into_iter().map(move |row| (task as u64, row))));
+        rows.extend(
+            placed.flat_map(|(task, rows)| rows.into_iter().map(move |row| (task as u64, row))),
+        );
     }
     rows
 }
@@ -194,7 +196,8 @@ mod tests {
 
     #[test]
     fn shares_together_are_the_whole_and_know_their_places() {
-        let variants = select(&["^(wald|keidy)/f32/(single|packet4)/sse2/early/last/plain/tuv$".to_owned()]);
+        let variants =
+            select(&["^(wald|keidy)/f32/(single|packet4)/sse2/early/last/plain/tuv$".to_owned()]);
         let variants = variants.expect("it matches");
         let workload = ErrorsWorkload { hits: 50, seeds: 2 };
         let never = AtomicBool::new(false);

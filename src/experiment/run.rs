@@ -9,9 +9,7 @@ use super::plan::Plan;
 use super::rows::{put_percent_slower, put_seconds_mean};
 use super::scene::Scene;
 use super::workload::Workload;
-use super::{
-    arithmetic, bounds, clock_free, codes, memory, points, precompute, prices, useful,
-};
+use super::{arithmetic, bounds, clock_free, codes, memory, points, precompute, prices, useful};
 use crate::measure::{Order, ProtocolError};
 use crate::shard::Shard;
 use crate::table::Row;

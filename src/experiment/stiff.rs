@@ -111,14 +111,19 @@ mod tests {
         StiffWorkload { cases: 300, knobs: BTreeMap::from([(id.to_owned(), knob)]) }
     }
 
-    fn of_shard(variants: &[&'static Variant], workload: &StiffWorkload, shard: &str) -> Vec<Placed> {
+    fn of_shard(
+        variants: &[&'static Variant],
+        workload: &StiffWorkload,
+        shard: &str,
+    ) -> Vec<Placed> {
         let shard = shard.parse().expect("a share");
         rows("x", variants, workload, 1, shard, &AtomicBool::new(false))
     }
 
     #[test]
     fn shares_together_are_the_whole_and_know_their_places() {
-        let pattern = "^(wald|keidy|chirkov)/(f32|f64)/single/sse2/early/last/plain/tuv$".to_owned();
+        let pattern =
+            "^(wald|keidy|chirkov)/(f32|f64)/single/sse2/early/last/plain/tuv$".to_owned();
         let variants = select(&[pattern]).expect("it matches");
         let mut workload = workload("needle", 3.0);
         workload.knobs.insert("tiny".into(), 3.0);

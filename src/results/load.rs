@@ -37,7 +37,8 @@ fn parts_of(folder: &Path) -> Result<Vec<Part>, LoadError> {
     let mut parts = Vec::new();
     if holds_rows(folder) {
         let above = folder.parent().unwrap_or(Path::new(""));
-        let environment = environment(folder)?.map_or_else(|| environment(above), |one| Ok(Some(one)));
+        let environment =
+            environment(folder)?.map_or_else(|| environment(above), |one| Ok(Some(one)));
         parts.extend(part(folder, folder, environment?.as_ref())?);
         return Ok(parts);
     }
@@ -62,7 +63,9 @@ fn environment(folder: &Path) -> Result<Option<Value>, LoadError> {
     let file = folder.join(ENVIRONMENT);
     let Some(bytes) = optional(&file)? else { return Ok(None) };
     let environment = serde_json::from_slice(&bytes);
-    environment.map(Some).map_err(|error| LoadError::Environment { file, message: error.to_string() })
+    environment
+        .map(Some)
+        .map_err(|error| LoadError::Environment { file, message: error.to_string() })
 }
 
 /// The bytes of a file that need not be there.
@@ -113,9 +116,8 @@ fn of_rows(
     begun: Option<Vec<Row>>,
     environment: Option<&Value>,
 ) -> Part {
-    let measured = |run: &RunFile| {
-        run.rows.iter().filter(|row| row.status != "not-measured").count()
-    };
+    let measured =
+        |run: &RunFile| run.rows.iter().filter(|row| row.status != "not-measured").count();
     let has_journal = begun.is_some();
     let begun = begun.unwrap_or_default();
     match finished {

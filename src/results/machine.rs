@@ -60,8 +60,10 @@ fn parts(environment: &Value) -> [String; PARTS] {
     };
     let unnamed = || "unknown machine".to_owned();
     let target = text("/build/target").unwrap_or_else(|| "unknown target".to_owned());
-    let flags = text("/build/flags").map_or("no flags".to_owned(), |flags| format!("flags {flags}"));
-    let commit: String = known("commit", "/build/commit").chars().take("commit ".len() + 12).collect();
+    let flags =
+        text("/build/flags").map_or("no flags".to_owned(), |flags| format!("flags {flags}"));
+    let commit: String =
+        known("commit", "/build/commit").chars().take("commit ".len() + 12).collect();
     [
         text("/machine/processor").unwrap_or_else(unnamed),
         known("id", "/machine/processor_id"),
@@ -110,10 +112,7 @@ mod tests {
         assert_eq!(of(&[&p]), ["P"]);
         assert_eq!(of(&[&p, &q]), ["P", "Q"]);
         let p2 = environment("P", "x86_64", "2", "aa");
-        assert_eq!(
-            of(&[&p, &q, &p2]),
-            ["P (x86_64, opt-level 3)", "Q", "P (x86_64, opt-level 2)"]
-        );
+        assert_eq!(of(&[&p, &q, &p2]), ["P (x86_64, opt-level 3)", "Q", "P (x86_64, opt-level 2)"]);
         let later = environment("P", "x86_64", "3", "bb");
         assert_eq!(
             of(&[&p, &later, &p2]),

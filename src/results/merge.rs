@@ -120,11 +120,7 @@ fn keyed(rows: &[Row]) -> Vec<(Key, &Row)> {
     rows.iter().map(key).collect()
 }
 
-fn chapters(
-    parts: Vec<(usize, Part)>,
-    sources: &[Source],
-    describe: Describe<'_>,
-) -> Vec<Chapter> {
+fn chapters(parts: Vec<(usize, Part)>, sources: &[Source], describe: Describe<'_>) -> Vec<Chapter> {
     let mut ids: Vec<String> = Vec::new();
     for (_, part) in &parts {
         if !ids.contains(&part.experiment) {

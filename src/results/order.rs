@@ -32,8 +32,20 @@ mod tests {
     #[test]
     fn numbers_are_numbers_and_ours_come_behind() {
         let wanted = [
-            "b-4.1", "b-4.2", "b-4.9", "b-4.10", "h-4", "h-9", "h-10", "h-11", "h-double", "b-side",
-            "arithmetic", "h-else", "zebra", "stability",
+            "b-4.1",
+            "b-4.2",
+            "b-4.9",
+            "b-4.10",
+            "h-4",
+            "h-9",
+            "h-10",
+            "h-11",
+            "h-double",
+            "b-side",
+            "arithmetic",
+            "h-else",
+            "zebra",
+            "stability",
         ];
         let mut sorted = wanted;
         sorted.reverse();

@@ -17,9 +17,9 @@ pub fn places(families: &[Family], forms: &[Form], rows: &[Row]) -> Vec<u64> {
         let family = families.iter().position(|family| family.id == row.family).unwrap_or(0);
         let precision = Precision::ALL.iter().position(|one| one.name() == row.precision);
         let precision = precision.unwrap_or(0);
-        let knob = families.get(family).map_or_else(Vec::new, |family| {
-            (family.knobs)(Precision::ALL[precision])
-        });
+        let knob = families
+            .get(family)
+            .map_or_else(Vec::new, |family| (family.knobs)(Precision::ALL[precision]));
         let knob = knob.iter().position(|knob| Some(*knob) == row.knob).unwrap_or(0);
         let class = RayClass::ALL.iter().position(|class| class.word() == row.ray_class);
         let class = class.unwrap_or(0);

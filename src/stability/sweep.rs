@@ -3,8 +3,8 @@
 use super::family::{Family, Work};
 use super::forms::Form;
 use super::mesh_rays::RayClass;
-use super::precision::Precision;
 use super::places::places;
+use super::precision::Precision;
 use super::{cells, knee, mesh_rays, metamorphic, spawned};
 use crate::shard::Shard;
 use crate::spread::{Watch, pieces};
@@ -173,9 +173,7 @@ impl Sweep {
             Work::Aimed(_) | Work::Free(_) => cells::rows_of(family, setting, forms),
             Work::Mesh(kind) => mesh_rays::rows_of(family, kind, setting, forms),
             Work::Spawned => spawned::rows_of(family, setting, forms),
-            Work::Metamorphic(transform) => {
-                metamorphic::rows_of(family, transform, setting, forms)
-            }
+            Work::Metamorphic(transform) => metamorphic::rows_of(family, transform, setting, forms),
         }
     }
 }
