@@ -5,7 +5,9 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::failure::Failure;
-use crate::results::{COMPLETE, Chapter, ENVIRONMENT, ROWS, Results, SHARD, SOURCES, TABLE};
+use crate::results::{
+    COMPLETE, Chapter, DESCRIPTION, ENVIRONMENT, ROWS, Results, SHARD, SOURCES, TABLE,
+};
 use crate::shard::Shard;
 use crate::stability::EXPERIMENT as STABILITY;
 use crate::table::{Row, RunFile, SCHEMA_VERSION, write_atomically, write_csv, write_json};
@@ -48,8 +50,22 @@ pub fn write(results: &Results, out: &Path) -> Result<(), Failure> {
         std::fs::create_dir_all(&folder)?;
         write_csv(&folder.join(TABLE), &chapter.rows)?;
         write_json(&folder.join(ROWS), &run_file(chapter, &environment))?;
+        if let Some(text) = description(results, &chapter.about.id) {
+            write_atomically(&folder.join(DESCRIPTION), &text)?;
+        }
     }
     Ok(())
+}
+
+/// The text of an experiment from the first folder that has it.
+fn description(results: &Results, id: &str) -> Option<Vec<u8>> {
+    let folders = results.sources.iter().flat_map(|source| &source.folders).map(Path::new);
+    // A folder is that of a run, or that of the experiment itself.
+    let files = folders.flat_map(|folder| {
+        let own = folder.canonicalize().ok().filter(|own| own.ends_with(id));
+        own.map(|own| own.join(DESCRIPTION)).into_iter().chain([folder.join(id).join(DESCRIPTION)])
+    });
+    files.filter_map(|file| std::fs::read(file).ok()).next()
 }
 
 /// That of the only source, or a list of all.
