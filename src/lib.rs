@@ -101,6 +101,9 @@ pub mod measure;
 pub mod spread;
 
 #[cfg(feature = "cli")]
+pub mod shard;
+
+#[cfg(feature = "cli")]
 pub mod table;
 
 #[cfg(feature = "cli")]

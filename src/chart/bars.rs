@@ -4,7 +4,7 @@
 use super::axis::Axis;
 use super::bar_widths::Widths;
 use super::canvas::{Anchor, Type};
-use super::figure::{Figure, Scale};
+use super::figure::{Figure, Scale, Within};
 use super::frame::{Frame, MARGIN, SMALL, bound_note, heading, published_note, title};
 use super::palette::{FAINT, GREY, INK, style};
 use super::published::{Measure, Published};
@@ -54,10 +54,17 @@ pub(super) fn draw(
     let panels = select::distinct(&ours, |point| &point.panel);
     let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
+    let mut without_unit = 0;
     if let Some(base) = &figure.normalise_to {
-        let first = select::normalise_both(&mut ours, &mut theirs, base)?;
-        y_title =
-            format!("{y_title}, relative to {} at {}", figure.label(base), figure.label(&first));
+        let name = figure.label(base);
+        y_title = if figure.normalise == Within::X {
+            without_unit += select::normalise_within_x(&mut ours, base);
+            without_unit += select::normalise_within_x(&mut theirs, base);
+            format!("{y_title}, relative to {name} in the same group")
+        } else {
+            let first = select::normalise_both(&mut ours, &mut theirs, base)?;
+            format!("{y_title}, relative to {name} at {}", figure.label(&first))
+        };
     }
     if figure.scale == Scale::Log {
         y_title.push_str(" (log scale)");
@@ -70,7 +77,7 @@ pub(super) fn draw(
     for points in [&mut ours, &mut theirs] {
         points.retain(|point| figure.scale == Scale::Linear || point.y > 0.0);
     }
-    let hidden = before - ours.len() - theirs.len();
+    let hidden = before - ours.len() - theirs.len() + without_unit;
     let plan = plan(figure, panels, ours, theirs)?;
     let mut notes = vec![
         selection.source(),
@@ -258,8 +265,11 @@ fn described(figure: &Figure, plan: &Plan, y_title: &str) -> String {
     let extreme = |better: fn(f64, f64) -> bool| {
         let point = plan.ours.iter().reduce(|a, b| if better(b.y, a.y) { b } else { a });
         point.map_or(String::new(), |point| {
-            let names = [&point.panel, &point.x, &point.series].map(|name| figure.label(name));
-            let names: Vec<_> = names.into_iter().filter(|name| !name.is_empty()).collect();
+            // An empty x may have words, the panel of a figure without panels has none.
+            let panel = Some(&point.panel).filter(|panel| !panel.is_empty());
+            let names = panel.into_iter().chain([&point.x, &point.series]);
+            let names: Vec<_> =
+                names.map(|name| figure.label(name)).filter(|name| !name.is_empty()).collect();
             format!("{} ({})", text::figure(point.y), names.join(", "))
         })
     };

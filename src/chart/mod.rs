@@ -32,7 +32,7 @@ mod upright;
 mod wanted;
 
 pub use envelope::Envelope;
-pub use figure::{Beside, Figure, Kind, Names, Scale};
+pub use figure::{Beside, Figure, Kind, Names, Scale, Within};
 pub use published::{Measure, Published, PublishedPoint};
 pub use stability::stability_figures;
 pub use wanted::Wanted;

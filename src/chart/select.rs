@@ -3,7 +3,7 @@
 use super::ChartError;
 use super::ambiguous::ambiguous;
 use super::figure::{Figure, Names};
-pub(super) use super::normalise::{normalise_both, scale};
+pub(super) use super::normalise::{normalise_both, normalise_within_x, scale};
 use super::published::{Measure, Published};
 use crate::stats::median;
 use crate::table::{Cell, Row};

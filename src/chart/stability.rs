@@ -2,7 +2,7 @@
 
 use super::Wanted;
 use super::envelope::Envelope;
-use super::figure::{Figure, Kind, Names, Scale};
+use super::figure::{Figure, Kind, Names, Scale, Within};
 use crate::table::Row;
 use std::collections::BTreeMap;
 
@@ -65,6 +65,7 @@ fn blank(file: String, kind: Kind, question: String) -> Figure {
         scale: Scale::Linear,
         x_scale: Scale::Linear,
         normalise_to: None,
+        normalise: Within::Panel,
         x_marks: Names::default(),
         reference: None,
         envelope: None,

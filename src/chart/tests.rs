@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 mod boxes;
 mod kinds;
+mod machines;
 mod marks;
 mod precision;
 mod refused;

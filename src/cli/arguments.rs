@@ -7,10 +7,12 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use super::baseline::Baselines;
 use super::check::{self, Check};
 use super::compare::Compare;
+use super::report::{self, Report};
 use super::slips::slip;
 use super::stability::{self, Stability};
 use crate::experiment::Profile;
 use crate::measure::{Order, Pin};
+use crate::shard::Shard;
 use crate::workload::Generator;
 
 const EXAMPLES: &str = "\
@@ -95,6 +97,9 @@ pub enum Verb {
         after_help = "Examples:\n  ray_test compare results/before results/after\n  ray_test compare a/b-4.2/rows.json b/b-4.2/rows.json --threshold 5% --format markdown"
     )]
     Compare(Compare),
+    /// Draw everything again from stored rows; put several folders together, or compare them
+    #[command(after_help = report::HELP)]
+    Report(Report),
     /// Sweep stiff and extreme cases: where each kernel starts to fail, which rays it loses
     #[command(after_help = stability::HELP)]
     Stability(Stability),
@@ -144,6 +149,10 @@ pub struct Batch {
     /// program and machine must be the same
     #[arg(long, requires = "out")]
     pub resume: bool,
+    /// Only the I-th of N parts of what needs no clock, and nothing else; `ray_test report` puts
+    /// parts together
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["save_baseline", "baseline"])]
+    pub shard: Option<Shard>,
     /// Results to keep or to be held against.
     #[command(flatten)]
     pub baselines: Baselines,

@@ -5,10 +5,13 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::failure::Failure;
+use super::stored::{put_shard, workload_hash};
 use super::unfinished::Keeper;
 use crate::chart::{Published, draw};
 use crate::experiment::{Experiment, Outcome, Plan};
 use crate::measure::{BuildInfo, Environment, now_rfc3339};
+use crate::results::{COMPLETE, DESCRIPTION, JOURNAL, ROWS, TABLE};
+use crate::shard::Shard;
 use crate::table::{
     Header, Journaled, RunFile, RunKey, SCHEMA_VERSION, read_journal, read_json,
     remove_partial_files, write_atomically, write_csv, write_json,
@@ -44,6 +47,8 @@ pub struct Folder {
     environment: Environment,
     /// What rows depend on besides experiment, program and machine: profile and filter, as text.
     settings: String,
+    /// Which share of the work it is for; `None` for all of it.
+    shard: Option<Shard>,
 }
 
 /// What there is of an experiment before it runs.
@@ -70,7 +75,12 @@ impl Folder {
             PathBuf::from("results").join(format!("{time}-{:08x}", config_hash as u32))
         };
         let path = out.map_or_else(default, Path::to_path_buf);
-        Folder { path, environment, settings }
+        Folder { path, environment, settings, shard: None }
+    }
+
+    /// The same for a share of the work.
+    pub fn of_shard(self, shard: Shard) -> Self {
+        Folder { shard: Some(shard), ..self }
     }
 
     /// Creates it and finds out whether it can be written, before anything runs.
@@ -172,7 +182,7 @@ impl Folder {
                 self.begin(plan, Before::Nothing)?;
             }
             // The journal stands: what was there before is of another run.
-            for name in [ROWS, "rows.csv"] {
+            for name in [ROWS, TABLE] {
                 std::fs::remove_file(self.file(id, name)).ok();
             }
         }
@@ -186,6 +196,7 @@ impl Folder {
     pub fn begin(&self, plan: &Plan, before: Before) -> Result<Keeper, Failure> {
         let (id, seed) = (&plan.experiment.id, plan.experiment.seed);
         std::fs::create_dir_all(self.path.join(id))?;
+        write_atomically(&self.file(id, DESCRIPTION), plan.experiment.text.as_bytes())?;
         let contents = match before {
             Before::Begun(journaled) => journaled,
             Before::Nothing | Before::Finished(_) => {
@@ -208,7 +219,8 @@ impl Folder {
     pub fn save(&self, plan: &Plan, outcome: &Outcome) -> Result<Vec<PathBuf>, Failure> {
         let id = &plan.experiment.id;
         write_csv(&self.table(plan), &outcome.rows)?;
-        let figures = if outcome.interrupted { Vec::new() } else { self.draw(plan, outcome)? };
+        let is_part = outcome.interrupted || self.shard.is_some();
+        let figures = if is_part { Vec::new() } else { self.draw(plan, outcome)? };
         // Last: it says that the experiment is complete.
         write_json(&self.file(id, ROWS), &self.run_file(plan, outcome)?)?;
         if !outcome.interrupted {
@@ -235,15 +247,12 @@ impl Folder {
             .map_err(|error| Failure::Runtime(error.into()))?;
         environment[RUN_KEY] = json!(self.key(plan));
         environment[COMPLETE] = json!(!outcome.interrupted);
-        let mut hash = Fnv::default();
-        for row in &outcome.rows {
-            hash.bytes(row.workload_hash.as_bytes());
-        }
+        put_shard(&mut environment, self.shard, &outcome.places);
         Ok(RunFile {
             schema_version: SCHEMA_VERSION.to_owned(),
             environment,
             seed: plan.experiment.seed,
-            workload_hash: format!("{:016x}", hash.finish()),
+            workload_hash: workload_hash(&plan.experiment.id, &outcome.rows),
             rows: outcome.rows.clone(),
         })
     }
@@ -265,8 +274,5 @@ fn binary(build: &BuildInfo) -> String {
     )
 }
 
-const TABLE: &str = "rows.csv";
-const ROWS: &str = "rows.json";
-const JOURNAL: &str = "rows.ndjson";
+/// Field of a file's environment: what must be the same for the run to be gone on with.
 const RUN_KEY: &str = "run_key";
-const COMPLETE: &str = "complete";

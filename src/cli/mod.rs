@@ -10,7 +10,9 @@ mod check_rows;
 mod check_summary;
 mod compare;
 mod comparison;
+mod describe;
 mod doctor;
+mod estimate;
 mod failure;
 mod folder;
 mod instruments;
@@ -18,11 +20,15 @@ mod interrupt;
 mod list;
 mod lock;
 mod progress;
+mod publish;
+mod report;
+mod shards;
 mod show;
 mod slices;
 mod slips;
 mod stability;
 mod stability_tables;
+mod stored;
 mod thesis;
 mod unfinished;
 
@@ -65,6 +71,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Doctor(doctor)) => doctor::run(&doctor),
         Some(Verb::List(list)) => list::run(&list),
         Some(Verb::Compare(compare)) => compare::run(&compare),
+        Some(Verb::Report(report)) => report::run(&report),
         Some(Verb::Stability(stability)) => stability::run(&stability),
         Some(Verb::Check(check)) => check::run(&check),
     }

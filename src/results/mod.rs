@@ -1,8 +1,24 @@
 //! Folders of results, read back: what claims, reports and recommendations start from.
 
+mod drawings;
+mod files;
+mod load;
+mod machine;
+mod merge;
+mod order;
+mod part;
+#[cfg(test)]
+mod tests;
+
+pub use drawings::{Drawing, drawings};
+pub use files::{COMPLETE, DESCRIPTION, ENVIRONMENT, JOURNAL, ROWS, SHARD, SOURCES, TABLE};
+pub use load::{Describe, load};
+
 use crate::chart::Figure;
-use crate::table::Row;
+use crate::table::{Row, TableError};
 use serde_json::Value;
+use std::io;
+use std::path::PathBuf;
 
 /// What one or several folders of results hold, put together.
 #[derive(Clone, Debug, Default)]
@@ -39,7 +55,7 @@ pub struct Chapter {
 }
 
 /// What an experiment asks, without what runs it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct About {
     /// Id, the name of its folder.
     pub id: String,
@@ -71,4 +87,42 @@ impl Results {
     pub fn chapter(&self, id: &str) -> Option<&Chapter> {
         self.chapters.iter().find(|chapter| chapter.about.id == id)
     }
+}
+
+impl About {
+    /// Of an experiment that nobody describes: its id.
+    pub fn unknown(id: &str) -> Self {
+        About { id: id.to_owned(), title: id.to_owned(), ..About::default() }
+    }
+}
+
+/// Why folders cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum LoadError {
+    /// A folder or a file cannot be read.
+    #[error("{}: {source}; allowed: the folder of a run, or of one experiment of it", file.display())]
+    Io {
+        /// The folder or file.
+        file: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// Rows are broken.
+    #[error("{0}; allowed: what `ray_test run` wrote")]
+    Table(#[from] TableError),
+    /// An `environment.json` is broken.
+    #[error("{}: {message}; allowed: what `ray_test run` wrote", file.display())]
+    Environment {
+        /// The file.
+        file: PathBuf,
+        /// What the parser says, with the place.
+        message: String,
+    },
+    /// A folder holds no results.
+    #[error(
+        "{}: no rows.json or rows.ndjson in it or in a folder of it; \
+         allowed: the folder of a run, or of one experiment of it",
+        .0.display()
+    )]
+    Nothing(PathBuf),
 }
