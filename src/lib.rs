@@ -18,9 +18,9 @@
 //! ```
 //! use ray_test::kernels::{Corners, Kernel, MollerTrumbore};
 //! use ray_test::number::Vec3;
-//! use ray_test::policy::{Early, Form, Last, Plain, Ray, Tuv};
+//! use ray_test::policy::{Compare, Early, Form, Inside, Last, Plain, Ray, Tuv, TwoSided};
 //!
-//! type Usual = Form<Early, Last, Plain, Tuv>;
+//! type Usual = Form<Early, Last, Plain, Tuv, TwoSided, Compare, Inside>;
 //! let triangle = Corners {
 //!     a: Vec3([0.0f32, 0.0, 2.0]),
 //!     b: Vec3([4.0, 0.0, 2.0]),

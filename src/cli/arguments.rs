@@ -7,6 +7,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use super::baseline::Baselines;
 use super::check::{self, Check};
 use super::compare::Compare;
+use super::recommend::{self, Recommend};
 use super::slips::slip;
 use super::stability::{self, Stability};
 use crate::experiment::Profile;
@@ -101,6 +102,9 @@ pub enum Verb {
     /// Put cases of your own through every kernel, against the exact answer
     #[command(after_help = check::HELP)]
     Check(Check),
+    /// Tell which variant to take, by stored rows
+    #[command(after_help = recommend::HELP)]
+    Recommend(Recommend),
 }
 
 /// `ray_test run`

@@ -18,6 +18,8 @@ mod interrupt;
 mod list;
 mod lock;
 mod progress;
+mod recommend;
+mod recommend_rows;
 mod show;
 mod slices;
 mod slips;
@@ -67,5 +69,6 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Compare(compare)) => compare::run(&compare),
         Some(Verb::Stability(stability)) => stability::run(&stability),
         Some(Verb::Check(check)) => check::run(&check),
+        Some(Verb::Recommend(recommend)) => recommend::run(&recommend),
     }
 }

@@ -162,9 +162,8 @@ fn scales<'a>(timed: &[&'a Row], candidates: &[Candidate<'a>]) -> Vec<(&'a str, 
             of_experiment.entry(&row.id).or_insert(median);
         }
     }
-    let count = |experiment: &str| {
-        candidates.iter().filter(|one| one.row.experiment == experiment).count()
-    };
+    let count =
+        |experiment: &str| candidates.iter().filter(|one| one.row.experiment == experiment).count();
     let mut joined: BTreeMap<&str, f64> = BTreeMap::new();
     let mut scales = Vec::new();
     loop {

@@ -50,7 +50,11 @@ fn fastest(found: &Found<'_>) -> String {
     let forms = counted(arena.ranked.len(), "form");
     let kernels = counted(arena.kernels(), "kernel");
     let figures = figures.join(", ");
-    format!("{} takes {figures}: the fastest of {forms} of {kernels} that fit {}.", row.id, at(best))
+    format!(
+        "{} takes {figures}: the fastest of {forms} of {kernels} that fit {}.",
+        row.id,
+        at(best)
+    )
 }
 
 fn costs(other: &Ranked<'_>, best: &Ranked<'_>) -> String {

@@ -42,9 +42,8 @@ pub(super) fn leaks<'a>(rows: &[&'a Row], form: &Row) -> Leaks<'a> {
         return Leaks::NobodyLooked;
     }
     let alike = |row: &&&'a Row| {
-        let of = |row: &Row| {
-            [&row.kernel, &row.precision, &row.rounding, &row.edges].map(String::clone)
-        };
+        let of =
+            |row: &Row| [&row.kernel, &row.precision, &row.rounding, &row.edges].map(String::clone);
         of(row) == of(form) && ["", "kept"].contains(&row.subnormals.as_str())
     };
     let alike: Vec<&'a Row> = all.iter().filter(alike).copied().collect();

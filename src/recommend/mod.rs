@@ -22,10 +22,14 @@ pub use question::{KnownVariant, Needs, Question};
 #[derive(Debug, thiserror::Error, PartialEq)]
 pub enum RecommendError {
     /// The rows hold no time.
-    #[error("there are no times in {0}; allowed: a folder that `ray_test run` or `reproduce` wrote")]
+    #[error(
+        "there are no times in {0}; allowed: a folder that `ray_test run` or `reproduce` wrote"
+    )]
     NoTimes(String),
     /// Nothing that was timed fits.
-    #[error("none of the {timed} variants timed in {folders} fits: {reasons}. Allowed: fewer demands, or rows of more variants")]
+    #[error(
+        "none of the {timed} variants timed in {folders} fits: {reasons}. Allowed: fewer demands, or rows of more variants"
+    )]
     NothingFits {
         /// Variants with times.
         timed: usize,

@@ -105,7 +105,10 @@ fn intervals_that_overlap_are_no_price() {
     // Nor is a difference below what copies of one kernel differ by.
     let noisy = |row: Row| Row { noise_floor: Some(0.2), ..row };
     let apart = [timed("a", "f32", "tuv", 0.55), timed("b", "f32", "tuv", 0.5)];
-    assert_eq!(asked(&apart, &Question::default()).map(|it| it.runner_up_is_slower), Ok(Some(true)));
+    assert_eq!(
+        asked(&apart, &Question::default()).map(|it| it.runner_up_is_slower),
+        Ok(Some(true))
+    );
     let apart = apart.map(noisy);
     assert_eq!(
         asked(&apart, &Question::default()).map(|it| it.runner_up_is_slower),
@@ -230,7 +233,11 @@ fn leaking(kernel: &str, leaks: u64) -> Row {
 
 #[test]
 fn watertight_is_what_is_said_to_be_and_loses_none() {
-    let rows = [timed("a", "f32", "tuv", 0.1), timed("b", "f32", "tuv", 0.2), timed("c", "f32", "tuv", 0.3)];
+    let rows = [
+        timed("a", "f32", "tuv", 0.1),
+        timed("b", "f32", "tuv", 0.2),
+        timed("c", "f32", "tuv", 0.3),
+    ];
     let question = Question { watertight: true, ..Question::default() };
     let mut known = known(&rows);
     known[1].watertight = true;
@@ -258,7 +265,8 @@ fn a_tolerance_is_held_by_the_errors_of_the_same_arithmetic() {
         ns_per_test: None,
         ..row.clone()
     };
-    let fused = Row { rounding: "fused".into(), id: "a/fused".into(), ..timed("a", "f32", "tuv", 0.1) };
+    let fused =
+        Row { rounding: "fused".into(), id: "a/fused".into(), ..timed("a", "f32", "tuv", 0.1) };
     let (a, b) = (timed("a", "f32", "tuv", 0.2), timed("b", "f32", "tuv", 0.3));
     let rows = [fused, a.clone(), b.clone(), erring(&a, 1e-6), erring(&a, 3e-6), erring(&b, 1e-7)];
     let within = |tolerance| Question { tolerance: Some(tolerance), ..Question::default() };
