@@ -40,6 +40,8 @@ pub(super) struct Cost {
     pub low: f64,
     /// With the intervals at their far ends.
     pub high: f64,
+    /// What copies of one kernel differ by.
+    pub floor: f64,
     /// Whether that is more than intervals and noise can make of nothing.
     pub is_measurable: bool,
 }
@@ -61,6 +63,7 @@ impl Cost {
             share: over(other.time[0], best.time[0]),
             low,
             high: over(other.time[2], best.time[1]),
+            floor,
             is_measurable: low > floor,
         }
     }

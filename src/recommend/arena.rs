@@ -48,6 +48,8 @@ pub(super) struct Arena<'a> {
     pub ranked: Vec<Ranked<'a>>,
     /// Candidates in experiments that share no variant with the others.
     pub apart: Vec<Candidate<'a>>,
+    /// All that was timed there.
+    timed: Vec<&'a Row>,
 }
 
 impl<'a> Arena<'a> {
@@ -64,15 +66,15 @@ impl<'a> Arena<'a> {
         }
         let mut arenas: Vec<Arena<'a>> = keys
             .into_values()
-            .map(|(timed, candidates)| Arena::of(&timed, candidates))
+            .map(|(timed, candidates)| Arena::of(timed, candidates))
             .filter(|arena| !arena.ranked.is_empty())
             .collect();
         arenas.sort_by(by_rank);
         arenas
     }
 
-    fn of(timed: &[&'a Row], candidates: Vec<Candidate<'a>>) -> Self {
-        let scales = scales(timed, &candidates);
+    fn of(timed: Vec<&'a Row>, candidates: Vec<Candidate<'a>>) -> Self {
+        let scales = scales(&timed, &candidates);
         let (mut ranked, mut apart): (Vec<Ranked<'a>>, Vec<Candidate<'a>>) = Default::default();
         for (experiment, scale) in &scales {
             let here = candidates.iter().filter(|one| one.row.experiment == *experiment);
@@ -94,7 +96,7 @@ impl<'a> Arena<'a> {
             let (a, b) = (a.candidate.row, b.candidate.row);
             by_time.then(a.bytes_per_triangle.cmp(&b.bytes_per_triangle)).then(a.id.cmp(&b.id))
         });
-        Arena { ranked, apart }
+        Arena { ranked, apart, timed }
     }
 
     /// A row of it.
@@ -105,6 +107,16 @@ impl<'a> Arena<'a> {
     /// A variant's place.
     pub fn find(&self, id: &str) -> Option<&Ranked<'a>> {
         self.ranked.iter().find(|one| one.candidate.row.id == id)
+    }
+
+    /// The reference that a row's ratio refers to, where it has a row itself: its own ratio is 1.
+    pub fn reference(&self, row: &Row) -> Option<&'a Row> {
+        let one = Some(1.0);
+        let is_reference = |other: &&&'a Row| {
+            let ratio = [other.ratio_to_reference, other.ratio_low, other.ratio_high];
+            other.experiment == row.experiment && ratio == [one; 3]
+        };
+        self.timed.iter().find(is_reference).copied()
     }
 
     /// Experiments that the ranked times are from.

@@ -1,10 +1,10 @@
 //! The sentences that say why.
 
 use super::answer::{Cost, Found, folders};
-use super::arena::Ranked;
+use super::arena::{Arena, Ranked};
 use super::evidence::Leaks;
 use super::place::{counted, figure, percent, place, setting};
-use super::settings::elsewhere;
+use super::settings::{elsewhere, without};
 use serde_json::Value;
 
 /// Everything that speaks for the variant, with figures and rows, the weightiest first.
@@ -20,6 +20,7 @@ pub(super) fn sentences(found: &Found<'_>) -> Vec<String> {
         watertight(found),
         tolerance(found),
         elsewhere(found),
+        without(found),
         (!found.left_out.is_empty()).then(|| format!("Left out: {}.", found.left_out)),
         Some(measured_on(found)),
     ];
@@ -38,8 +39,9 @@ fn fastest(found: &Found<'_>) -> String {
     if let (Some(ratio), Some(low), Some(high)) =
         (row.ratio_to_reference, row.ratio_low, row.ratio_high)
     {
+        let reference = arena.reference(row).map_or("the reference", |row| &row.id);
         figures.push(format!(
-            "{} of the reference's time ({} to {})",
+            "{} of the time of {reference} ({} to {})",
             figure(ratio),
             figure(low),
             figure(high)
@@ -59,11 +61,19 @@ fn fastest(found: &Found<'_>) -> String {
 
 fn costs(other: &Ranked<'_>, best: &Ranked<'_>) -> String {
     let cost = Cost::of(other, best);
-    let interval = format!("{} to {}", percent(cost.low), percent(cost.high));
+    let (share, interval) =
+        (percent(cost.share), format!("{} to {}", percent(cost.low), percent(cost.high)));
     if cost.is_measurable {
-        format!("costs {} ({interval})", percent(cost.share))
+        return format!("costs {share} ({interval})");
+    }
+    let floor = figure(cost.floor * 100.0);
+    if cost.low > 0.0 {
+        format!(
+            "costs nothing that can be measured ({share}, {interval}; copies of one kernel differ \
+             by {floor} %)"
+        )
     } else {
-        format!("costs nothing that can be measured ({}; {interval})", percent(cost.share))
+        format!("costs nothing that can be measured ({share}, {interval})")
     }
 }
 
@@ -118,20 +128,27 @@ fn other_precision(found: &Found<'_>) -> Option<String> {
     if found.question.precision.is_some() {
         return None;
     }
-    let best = found.best();
-    let precision = &best.candidate.row.precision;
-    let others = found.arena().ranked.iter();
-    let other = others.clone().find(|one| one.candidate.row.precision != *precision);
-    let asked = format!("Either precision was allowed (--precision decides); this is {precision}");
-    let Some(other) = other else {
-        return Some(format!("{asked}, and the other was not timed there."));
+    let precision = &found.best().candidate.row.precision;
+    let asked = format!("Either precision was allowed (--precision decides); this is {precision}.");
+    // Where both were timed, the best of the two against each other.
+    let best_in = |arena: &'_ Arena<'_>, is_own: bool| {
+        let is_it = |one: &&Ranked<'_>| (one.candidate.row.precision == *precision) == is_own;
+        arena.ranked.iter().position(|one| is_it(&one))
+    };
+    let both = found.arenas.iter().find_map(|arena| {
+        let (own, other) = (best_in(arena, true)?, best_in(arena, false)?);
+        Some((&arena.ranked[own], &arena.ranked[other]))
+    });
+    let Some((own, other)) = both else {
+        return Some(format!("{asked} Nowhere were both timed."));
     };
     let row = other.candidate.row;
     Some(format!(
-        "{asked}. The best in {}, {}, {} {}.",
+        "{asked} The best in {}, {}, {} over {} {}.",
         row.precision,
         row.id,
-        costs(other, best),
+        costs(other, own),
+        own.candidate.row.id,
         at(other)
     ))
 }

@@ -2,7 +2,7 @@
 
 use super::answer::{Cost, Found};
 use super::arena::Ranked;
-use super::place::{counted, percent, place};
+use super::place::{counted, figure, percent, place};
 
 /// So many settings are named where another form is ahead.
 const MOST_NAMED: usize = 3;
@@ -35,4 +35,27 @@ pub(super) fn elsewhere(found: &Found<'_>) -> Option<String> {
         behind.len(),
         named.join("; ")
     ))
+}
+
+/// What leads where the variant was not timed, on other rays and triangles of the same kind in the
+/// same order: a sentence, or none.
+pub(super) fn without(found: &Found<'_>) -> Option<String> {
+    let best = found.best().candidate.row;
+    let others = found.arenas.iter().skip(1).filter(|arena| {
+        let row = arena.row();
+        let alike = (&row.workload, &row.order) == (&best.workload, &best.order);
+        alike && arena.ranked.len() > 1 && arena.find(&best.id).is_none()
+    });
+    let named = others.take(MOST_NAMED).map(|arena| {
+        let row = arena.row();
+        let ratio = row.ratio_to_reference.zip(arena.reference(row));
+        let ratio = ratio.map(|(ratio, reference)| {
+            format!(" with {} of the time of {}", figure(ratio), reference.id)
+        });
+        format!("{}{} [{}]", row.id, ratio.unwrap_or_default(), place(row))
+    });
+    let named: Vec<String> = named.collect();
+    let sentence =
+        format!("On other triangles, where it was not timed, the fastest is {}.", named.join("; "));
+    (!named.is_empty()).then_some(sentence)
 }

@@ -102,6 +102,7 @@ fn intervals_that_overlap_are_no_price() {
     assert_eq!(found.variant, rows[1].id);
     assert_eq!(found.runner_up_is_slower, Some(false));
     assert!(says(&found, "costs nothing that can be measured"), "{:?}", found.because);
+    assert!(!says(&found, "copies of one kernel"), "{:?}", found.because);
     // Nor is a difference below what copies of one kernel differ by.
     let noisy = |row: Row| Row { noise_floor: Some(0.2), ..row };
     let apart = [timed("a", "f32", "tuv", 0.55), timed("b", "f32", "tuv", 0.5)];
