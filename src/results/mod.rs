@@ -1,5 +1,8 @@
 //! Folders of results, read back: what claims, reports and recommendations start from.
 
+pub mod derived;
+mod mixture;
+
 use crate::chart::Figure;
 use crate::table::Row;
 use serde_json::Value;
