@@ -20,6 +20,7 @@
 //! use ray_test::number::Vec3;
 //! use ray_test::policy::{Compare, Early, Form, Inside, Last, Plain, Ray, Tuv, TwoSided};
 //!
+//! type Test = MollerTrumbore;
 //! type Usual = Form<Early, Last, Plain, Tuv, TwoSided, Compare, Inside>;
 //! let triangle = Corners {
 //!     a: Vec3([0.0f32, 0.0, 2.0]),
@@ -33,9 +34,9 @@
 //!     t_min: 0.0,
 //!     t_max: f32::MAX,
 //! };
-//! let met = MollerTrumbore::meet::<Usual, f32>((), &MollerTrumbore::prepare(&triangle));
-//! let aim = MollerTrumbore::aim::<Usual, f32>(&ray);
-//! let found = MollerTrumbore::test::<Usual, f32>(&ray, &aim, &met).expect("through the middle");
+//! let met = Test::meet::<Usual, f32>((), &Test::prepare(&triangle));
+//! let aim = Test::aim::<Usual, f32>(&ray);
+//! let found = Test::test::<Usual, f32>(&ray, &aim, &met).expect("through the middle");
 //! assert!(found.hit);
 //! assert_eq!((found.t, found.u, found.v), (2.0, 0.25, 0.5));
 //! ```

@@ -39,11 +39,13 @@ fn typed(axes: &Axes) -> Option<String> {
     } else {
         format!("// Timed as code for {}: build with -C target-cpu=native.\n", axes.level)
     };
+    // An alias, since an expression does not fill in the default parameters of a type.
     Some(format!(
-        "{note}type Usual = {form};\n\
-         let met = {kernel}::meet::<Usual, {precision}>((), &{kernel}::prepare(&triangle));\n\
-         let aim = {kernel}::aim::<Usual, {precision}>(&ray);\n\
-         let found = {kernel}::test::<Usual, {precision}>(&ray, &aim, &met);"
+        "{note}type Test = {kernel};\n\
+         type Usual = {form};\n\
+         let met = Test::meet::<Usual, {precision}>((), &Test::prepare(&triangle));\n\
+         let aim = Test::aim::<Usual, {precision}>(&ray);\n\
+         let found = Test::test::<Usual, {precision}>(&ray, &aim, &met);"
     ))
 }
 
@@ -66,18 +68,13 @@ fn kernel(axes: &Axes) -> Option<String> {
             let own = [about.id, about.stored, K::EDGES, K::PROJECTION];
             let axes = self.0;
             if own == [axes.kernel, axes.stored, axes.edges, axes.projection] {
-                self.1 = Some(turbofish(&name::<K>()));
+                self.1 = Some(name::<K>());
             }
         }
     }
     let mut search = Search(axes, None);
     visit_kernels(&mut search);
     search.1
-}
-
-/// `KenslerShirley<Vertices>` as it stands in an expression: `KenslerShirley::<Vertices>`.
-fn turbofish(name: &str) -> String {
-    name.replacen('<', "::<", 1)
 }
 
 /// The form's type; parameters that have their default are left out where they can be.
@@ -135,7 +132,7 @@ mod tests {
             // There, the last line goes on.
             assert!(documentation.contains(line.trim_end_matches(';')), "{line}");
         }
-        assert_eq!(call.lines().count(), 4);
+        assert_eq!(call.lines().count(), 5);
     }
 
     #[test]
@@ -144,13 +141,10 @@ mod tests {
         let stored =
             call("kensler-shirley/f32/single/sse2/full/first/plain/tuv/stored=precomputed");
         assert!(stored.contains("type Usual = Form<Full, First, Plain, Tuv>;"), "{stored}");
-        assert!(
-            stored.contains("KenslerShirley::<Precomputed>::aim::<Usual, f32>(&ray)"),
-            "{stored}"
-        );
+        assert!(stored.contains("type Test = KenslerShirley<Precomputed>;"), "{stored}");
         let wald = call("wald/f32/single/avx2/early/last/fused/tuv");
         assert!(wald.starts_with("// Timed as code for avx2"), "{wald}");
-        assert!(wald.contains("Wald::<OneIndex>::prepare(&triangle)"), "{wald}");
+        assert!(wald.contains("type Test = Wald;"), "{wald}");
         let packet = call("wald/f32/packet4/sse2/early/last/plain/tuv");
         assert!(
             packet.contains("find(\"wald/f32/packet4/sse2/early/last/plain/tuv\")"),
