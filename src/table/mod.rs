@@ -13,6 +13,7 @@ mod journal;
 mod journal_tests;
 mod json;
 mod key;
+mod rounds;
 mod row;
 #[cfg(test)]
 mod tests;
@@ -24,6 +25,7 @@ pub use file::{remove_partial_files, write_atomically};
 pub use journal::{Header, Journal, Journaled, read_journal};
 pub use json::{RunFile, SCHEMA_VERSION, read_json, write_json};
 pub use key::RunKey;
+pub use rounds::{Round, RoundsFile, read_rounds};
 pub use row::{COLUMNS, REQUIRED, Row};
 
 use std::io;
