@@ -146,7 +146,7 @@ impl Area {
 fn names(frame: &mut Frame, placed: &[Placed<'_>], area: &Area) -> f64 {
     let top = area.top + NAME_LINES as f64 * NAME_HEIGHT;
     let mut ends = [f64::NEG_INFINITY; NAME_LINES];
-    let mut before = "";
+    let (mut before, mut named) = ("", Vec::new());
     for one in placed {
         let name = one.round.experiment.as_str();
         if name == before {
@@ -154,16 +154,19 @@ fn names(frame: &mut Frame, placed: &[Placed<'_>], area: &Area) -> f64 {
         }
         before = name;
         let x = area.across(one.round.at_s);
-        let width = text::width(name, SMALL, false);
-        let is_free = |end: &f64| *end + 4.0 < x;
-        let line =
-            ends.iter().position(is_free).filter(|_| x + width < area.left + PLOT.0 + MARGIN);
+        let end = x + text::width(name, SMALL, false);
+        let is_free = |last: &f64| *last + 4.0 < x;
+        let line = ends.iter().position(is_free).filter(|_| end < area.left + PLOT.0 + MARGIN);
         let from = line.map_or(top, |line| area.top + line as f64 * NAME_HEIGHT);
         frame.canvas.line(&[(x, from), (x, top + PLOT.1)], FAINT, 1.0);
         if let Some(line) = line {
-            ends[line] = x + width + 3.0;
-            frame.canvas.text((x + 3.0, from + 6.0), name, Type::new(SMALL, GREY));
+            ends[line] = end + 3.0;
+            named.push(((x + 3.0, from + 6.0), name));
         }
+    }
+    // Behind the lines of all others, so that none crosses a name.
+    for (at, name) in named {
+        frame.canvas.value(at, name, Type::new(SMALL, GREY));
     }
     top
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::failure::Failure;
+use super::rounds::{self, ROUNDS, RoundsLog};
 use super::unfinished::Keeper;
 use crate::chart::{Published, draw};
 use crate::experiment::{Experiment, Outcome, Plan};
@@ -44,6 +45,8 @@ pub struct Folder {
     environment: Environment,
     /// What rows depend on besides experiment, program and machine: profile and filter, as text.
     settings: String,
+    /// When the program began, in seconds of the run: above 0 where it goes on.
+    began_s: f64,
 }
 
 /// What there is of an experiment before it runs.
@@ -70,7 +73,13 @@ impl Folder {
             PathBuf::from("results").join(format!("{time}-{:08x}", config_hash as u32))
         };
         let path = out.map_or_else(default, Path::to_path_buf);
-        Folder { path, environment, settings }
+        Folder { path, environment, settings, began_s: 0.0 }
+    }
+
+    /// The folder of a run that goes on: time is counted from where its rounds end.
+    pub fn going_on(self) -> Self {
+        let began_s = rounds::last_s(&self.path);
+        Folder { began_s, ..self }
     }
 
     /// Creates it and finds out whether it can be written, before anything runs.
@@ -172,7 +181,7 @@ impl Folder {
                 self.begin(plan, Before::Nothing)?;
             }
             // The journal stands: what was there before is of another run.
-            for name in [ROWS, "rows.csv"] {
+            for name in [ROWS, "rows.csv", ROUNDS] {
                 std::fs::remove_file(self.file(id, name)).ok();
             }
         }
@@ -186,13 +195,15 @@ impl Folder {
     pub fn begin(&self, plan: &Plan, before: Before) -> Result<Keeper, Failure> {
         let (id, seed) = (&plan.experiment.id, plan.experiment.seed);
         std::fs::create_dir_all(self.path.join(id))?;
+        let goes_on = matches!(before, Before::Begun(_));
         let contents = match before {
             Before::Begun(journaled) => journaled,
             Before::Nothing | Before::Finished(_) => {
                 Journaled { header: Header::new(self.key(plan), id, seed), pieces: Vec::new() }
             }
         };
-        Ok(Keeper::begin(&self.file(id, JOURNAL), contents)?)
+        let rounds = RoundsLog::begin(&self.path.join(id), self.began_s, goes_on)?;
+        Ok(Keeper::begin(&self.file(id, JOURNAL), contents, rounds)?)
     }
 
     /// The table of an experiment.

@@ -20,6 +20,7 @@ mod lock;
 mod progress;
 mod recommend;
 mod recommend_rows;
+mod rounds;
 mod show;
 mod slices;
 mod slips;

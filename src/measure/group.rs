@@ -157,6 +157,18 @@ enum Ended {
     Cancelled,
 }
 
+impl Ended {
+    /// What is taken down of it; nothing where it did not come to its end.
+    fn state(self, crowded: bool) -> Option<RoundState> {
+        match self {
+            Ended::Clean if crowded => Some(RoundState::Crowded),
+            Ended::Clean => Some(RoundState::Clean),
+            Ended::Dirty => Some(RoundState::Dirty),
+            Ended::Cancelled => None,
+        }
+    }
+}
+
 /// Runs the planned rounds; dirty ones again, same positions and windows, while spares last, and
 /// on a busy machine beyond that until there are enough for an interval, or it is given up.
 fn run_rounds(
@@ -187,12 +199,7 @@ fn run_rounds(
             if ended == Ended::Clean && !is_cold && !steadiness.keeps_step(runners) {
                 ended = Ended::Dirty;
             }
-            let state = match ended {
-                Ended::Clean if crowded => Some(RoundState::Crowded),
-                Ended::Clean => Some(RoundState::Clean),
-                Ended::Dirty => Some(RoundState::Dirty),
-                Ended::Cancelled => None,
-            };
+            let state = ended.state(crowded);
             trace.extend(state.and_then(|state| RoundTrace::of(runners, state)));
             runners.iter_mut().for_each(|r| r.end_round(ended == Ended::Clean, crowded));
             match ended {

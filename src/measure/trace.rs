@@ -40,6 +40,11 @@ pub struct RoundTrace {
 }
 
 impl RoundTrace {
+    /// A round of a group that is not cut into windows.
+    pub fn new(at_ns: u64, reference_ns_per_test: Option<f64>, state: RoundState) -> Self {
+        RoundTrace { at_ns, reference_ns_per_test, state, window: 0 }
+    }
+
     /// Of the blocks of the present round; `None` if there are none.
     pub(super) fn of(runners: &[Runner<'_>], state: RoundState) -> Option<Self> {
         let at_ns = runners.iter().filter_map(|r| r.pending).map(|sample| sample.at_ns).max()?;

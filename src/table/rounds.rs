@@ -92,7 +92,9 @@ pub fn read_rounds(path: &Path) -> Result<Vec<Round>, TableError> {
             let allowed = "clean, crowded or dirty";
             return Err(TableError::cell(path, place(), "state", &round.state, allowed));
         }
-        if !round.at_s.is_finite() || round.reference_ns_per_test.is_some_and(|ns| !(ns > 0.0)) {
+        if !round.at_s.is_finite()
+            || round.reference_ns_per_test.is_some_and(|ns| !ns.is_finite() || ns <= 0.0)
+        {
             let text = format!("{} and {:?}", round.at_s, round.reference_ns_per_test);
             let (columns, allowed) = ("at_s, reference_ns_per_test", "finite numbers, above 0");
             return Err(TableError::cell(path, place(), columns, &text, allowed));
