@@ -83,6 +83,7 @@ impl RoundsLog {
 pub fn rounds_of(folder: &Path) -> Result<Vec<Round>, TableError> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.path().join(ROUNDS)).collect();
+    files.retain(|file| file.is_file());
     files.sort();
     let mut rounds = Vec::new();
     for file in files {
