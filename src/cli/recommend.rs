@@ -44,7 +44,7 @@ pub struct Recommend {
     #[arg(long)]
     pub watertight: bool,
     /// Largest allowed error of a barycentric weight, at the 99th percentile of random hits
-    #[arg(long, value_name = "X", value_parser = tolerance)]
+    #[arg(long, value_name = "X", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// Packets of rays will do as well as single rays
     #[arg(long)]

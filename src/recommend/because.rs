@@ -49,14 +49,14 @@ fn fastest(found: &Found<'_>) -> String {
     }
     figures.extend(row.cycles_per_test.map(|cycles| format!("{} cycles", figure(cycles))));
     figures.extend(row.ns_per_test.map(|ns| format!("{} ns a test", figure(ns))));
-    let forms = counted(arena.ranked.len(), "form");
-    let kernels = counted(arena.kernels(), "kernel");
-    let figures = figures.join(", ");
-    format!(
-        "{} takes {figures}: the fastest of {forms} of {kernels} that fit {}.",
-        row.id,
-        at(best)
-    )
+    let which = match arena.ranked.len() {
+        1 => "the only form that fits".to_owned(),
+        forms => format!(
+            "the fastest of {forms} forms of {} that fit",
+            counted(arena.kernels(), "kernel")
+        ),
+    };
+    format!("{} takes {}: {which} {}.", row.id, figures.join(", "), at(best))
 }
 
 fn costs(other: &Ranked<'_>, best: &Ranked<'_>) -> String {
@@ -140,7 +140,7 @@ fn other_precision(found: &Found<'_>) -> Option<String> {
         Some((&arena.ranked[own], &arena.ranked[other]))
     });
     let Some((own, other)) = both else {
-        return Some(format!("{asked} Nowhere were both timed."));
+        return Some(format!("{asked} Nowhere do forms of both fit."));
     };
     let row = other.candidate.row;
     Some(format!(
