@@ -1,4 +1,5 @@
 //! `ray_test recommend` on the committed run: the contract's keys, and what is refused.
+#![cfg(feature = "cli")]
 
 use serde_json::Value;
 use std::process::{Command, Output};
