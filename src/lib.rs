@@ -10,6 +10,7 @@
 //! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
 //! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock;
 //! [`doctor`] measures a kernel against copies of itself, to tell what the machine is good for.
+//! [`recommend`] tells, from stored rows, which variant to take.
 //! The modules below stand in reading order.
 //!
 //! A kernel is a function of a [number](number::Real) and a [policy](policy::Policy). The same
@@ -18,9 +19,10 @@
 //! ```
 //! use ray_test::kernels::{Corners, Kernel, MollerTrumbore};
 //! use ray_test::number::Vec3;
-//! use ray_test::policy::{Early, Form, Last, Plain, Ray, Tuv};
+//! use ray_test::policy::{Compare, Early, Form, Inside, Last, Plain, Ray, Tuv, TwoSided};
 //!
-//! type Usual = Form<Early, Last, Plain, Tuv>;
+//! type Test = MollerTrumbore;
+//! type Usual = Form<Early, Last, Plain, Tuv, TwoSided, Compare, Inside>;
 //! let triangle = Corners {
 //!     a: Vec3([0.0f32, 0.0, 2.0]),
 //!     b: Vec3([4.0, 0.0, 2.0]),
@@ -33,9 +35,9 @@
 //!     t_min: 0.0,
 //!     t_max: f32::MAX,
 //! };
-//! let met = MollerTrumbore::meet::<Usual, f32>((), &MollerTrumbore::prepare(&triangle));
-//! let aim = MollerTrumbore::aim::<Usual, f32>(&ray);
-//! let found = MollerTrumbore::test::<Usual, f32>(&ray, &aim, &met).expect("through the middle");
+//! let met = Test::meet::<Usual, f32>((), &Test::prepare(&triangle));
+//! let aim = Test::aim::<Usual, f32>(&ray);
+//! let found = Test::test::<Usual, f32>(&ray, &aim, &met).expect("through the middle");
 //! assert!(found.hit);
 //! assert_eq!((found.t, found.u, found.v), (2.0, 0.25, 0.5));
 //! ```
@@ -117,6 +119,9 @@ pub mod results;
 
 #[cfg(feature = "cli")]
 pub mod claims;
+
+#[cfg(feature = "cli")]
+pub mod recommend;
 
 #[cfg(feature = "cli")]
 pub mod compare;

@@ -28,6 +28,7 @@ mod svg;
 #[cfg(test)]
 mod tests;
 mod text;
+mod timeline;
 mod upright;
 mod wanted;
 
@@ -35,6 +36,7 @@ pub use envelope::Envelope;
 pub use figure::{Beside, Figure, Kind, Names, Scale, Within};
 pub use published::{Measure, Published, PublishedPoint};
 pub use stability::stability_figures;
+pub use timeline::timeline;
 pub use wanted::Wanted;
 
 use crate::table::Row;

@@ -45,7 +45,7 @@ fn filter(pairs: &[(&str, &str)]) -> BTreeMap<String, Wanted> {
 }
 
 /// A figure of which only the name, the kind and the question are known.
-fn blank(file: String, kind: Kind, question: String) -> Figure {
+pub(super) fn blank(file: String, kind: Kind, question: String) -> Figure {
     Figure {
         file,
         kind,

@@ -11,6 +11,7 @@ mod marks;
 mod precision;
 mod refused;
 mod stability;
+mod timeline;
 
 /// A figure from the text of its TOML table.
 fn figure(text: &str) -> Figure {

@@ -7,6 +7,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use super::baseline::Baselines;
 use super::check::{self, Check};
 use super::compare::Compare;
+use super::recommend::{self, Recommend};
 use super::report::{self, Report};
 use super::slips::slip;
 use super::stability::{self, Stability};
@@ -106,6 +107,9 @@ pub enum Verb {
     /// Put cases of your own through every kernel, against the exact answer
     #[command(after_help = check::HELP)]
     Check(Check),
+    /// Tell which variant to take, by stored rows
+    #[command(after_help = recommend::HELP)]
+    Recommend(Recommend),
 }
 
 /// `ray_test run`

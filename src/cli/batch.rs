@@ -10,7 +10,7 @@ use super::estimate::{dry_run, estimate};
 use super::failure::Failure;
 use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
-use super::{interrupt, lock, progress, shards, unfinished};
+use super::{interrupt, lock, progress, rounds, shards, unfinished};
 use crate::experiment::{Experiment, Plan, pattern_of, run as run_plan};
 use crate::measure::Environment;
 use crate::workload::hash::Fnv;
@@ -58,6 +58,7 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     let (instruments, environment) = Instruments::set_up(batch.pin)?;
     let hash = config_hash(&plans, &sources, batch, &environment);
     let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
+    let folder = if batch.resume { folder.going_on() } else { folder };
     let before = plans
         .iter()
         .map(|plan| if batch.resume { folder.before(plan) } else { Ok(Before::Nothing) });
@@ -169,6 +170,7 @@ fn measure(
         }
     }
     bar.finish_and_clear();
+    rounds::draw_timeline(folder.path())?;
     // Everything is saved: a stdout that is closed does not change what came of it.
     let _ = writeln!(std::io::stdout(), "{}", folder.path().display());
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Wrong(wrong)) }
@@ -176,6 +178,10 @@ fn measure(
 
 /// Says how to go on.
 pub fn interrupted(folder: &Folder) -> Failure {
+    // A picture that cannot be drawn does not change that everything else is saved.
+    if let Err(failure) = rounds::draw_timeline(folder.path()) {
+        failure.print();
+    }
     let arguments = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
     let command = unfinished::resume_command(arguments, folder.path());
     eprintln!("what was measured is saved; to go on:\n  {command}");

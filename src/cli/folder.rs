@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::failure::Failure;
+use super::rounds::{self, ROUNDS, RoundsLog};
 use super::stored::{put_shard, workload_hash};
 use super::unfinished::Keeper;
 use crate::chart::{Published, draw};
@@ -49,6 +50,8 @@ pub struct Folder {
     settings: String,
     /// Which share of the work it is for; `None` for all of it.
     shard: Option<Shard>,
+    /// When the program began, in seconds of the run: above 0 where it goes on.
+    began_s: f64,
 }
 
 /// What there is of an experiment before it runs.
@@ -75,12 +78,18 @@ impl Folder {
             PathBuf::from("results").join(format!("{time}-{:08x}", config_hash as u32))
         };
         let path = out.map_or_else(default, Path::to_path_buf);
-        Folder { path, environment, settings, shard: None }
+        Folder { path, environment, settings, shard: None, began_s: 0.0 }
     }
 
     /// The same for a share of the work.
     pub fn of_shard(self, shard: Shard) -> Self {
         Folder { shard: Some(shard), ..self }
+    }
+
+    /// The folder of a run that goes on: time is counted from where its rounds end.
+    pub fn going_on(self) -> Self {
+        let began_s = rounds::last_s(&self.path);
+        Folder { began_s, ..self }
     }
 
     /// Creates it and finds out whether it can be written, before anything runs.
@@ -182,7 +191,7 @@ impl Folder {
                 self.begin(plan, Before::Nothing)?;
             }
             // The journal stands: what was there before is of another run.
-            for name in [ROWS, TABLE] {
+            for name in [ROWS, TABLE, ROUNDS] {
                 std::fs::remove_file(self.file(id, name)).ok();
             }
         }
@@ -197,13 +206,15 @@ impl Folder {
         let (id, seed) = (&plan.experiment.id, plan.experiment.seed);
         std::fs::create_dir_all(self.path.join(id))?;
         write_atomically(&self.file(id, DESCRIPTION), plan.experiment.text.as_bytes())?;
+        let goes_on = matches!(before, Before::Begun(_));
         let contents = match before {
             Before::Begun(journaled) => journaled,
             Before::Nothing | Before::Finished(_) => {
                 Journaled { header: Header::new(self.key(plan), id, seed), pieces: Vec::new() }
             }
         };
-        Ok(Keeper::begin(&self.file(id, JOURNAL), contents)?)
+        let rounds = RoundsLog::begin(&self.path.join(id), self.began_s, goes_on)?;
+        Ok(Keeper::begin(&self.file(id, JOURNAL), contents, rounds)?)
     }
 
     /// The table of an experiment.

@@ -21,7 +21,10 @@ mod list;
 mod lock;
 mod progress;
 mod publish;
+mod recommend;
+mod recommend_rows;
 mod report;
+mod rounds;
 mod shards;
 mod show;
 mod slices;
@@ -74,5 +77,6 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Report(report)) => report::run(&report),
         Some(Verb::Stability(stability)) => stability::run(&stability),
         Some(Verb::Check(check)) => check::run(&check),
+        Some(Verb::Recommend(recommend)) => recommend::run(&recommend),
     }
 }

@@ -3,6 +3,7 @@
 mod arithmetic;
 mod asked;
 mod axes;
+mod calling;
 mod drives;
 mod edges;
 mod every;

@@ -13,6 +13,8 @@ mod tests;
 pub use drawings::{Drawing, drawings};
 pub use files::{COMPLETE, DESCRIPTION, ENVIRONMENT, JOURNAL, ROWS, SHARD, SOURCES, TABLE};
 pub use load::{Describe, load};
+pub mod derived;
+mod mixture;
 
 use crate::chart::Figure;
 use crate::table::{Row, TableError};

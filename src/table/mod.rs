@@ -14,6 +14,7 @@ mod journal_tests;
 mod json;
 mod key;
 mod naming;
+mod rounds;
 mod row;
 #[cfg(test)]
 mod tests;
@@ -26,6 +27,7 @@ pub use journal::{Header, Journal, Journaled, read_journal};
 pub use json::{RunFile, SCHEMA_VERSION, read_json, write_json};
 pub use key::RunKey;
 pub use naming::{SETTING_COLUMNS, SUBJECT_COLUMNS};
+pub use rounds::{Round, RoundsFile, read_rounds};
 pub use row::{COLUMNS, REQUIRED, Row};
 
 use std::io;
