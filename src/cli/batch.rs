@@ -5,14 +5,21 @@ use std::io::Write;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
+use regex::Regex;
+
 use super::arguments::{Batch, Reproduce, Run};
-use super::estimate::{dry_run, estimate};
+use super::describe::describe;
+use super::estimate::{dry_run, seconds_of_all};
 use super::failure::Failure;
 use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
+use super::publish::publish;
+use super::sweep::{of_profile, sweep_once};
 use super::{interrupt, lock, progress, rounds, shards, unfinished};
 use crate::experiment::{Experiment, Plan, pattern_of, run as run_plan};
 use crate::measure::Environment;
+use crate::results::load;
+use crate::stability::Sweep;
 use crate::workload::hash::Fnv;
 
 /// Experiments from files.
@@ -24,17 +31,18 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
         })?;
         sources.push((path.display().to_string(), text));
     }
-    carry_out(sources, &arguments.batch)
+    carry_out(sources, &arguments.batch, false)
 }
 
-/// The experiments that are compiled in.
+/// The experiments that are compiled in, and the stiff cases.
 pub fn reproduce(arguments: &Reproduce) -> Result<(), Failure> {
-    carry_out(built_in_sources(), &arguments.batch)
+    carry_out(built_in_sources(), &arguments.batch, true)
 }
 
 /// Everything that can be refused is refused before anything runs.
-fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
-    let mut plans = plans(&sources, batch)?;
+fn carry_out(sources: Vec<Source>, batch: &Batch, with_stiff: bool) -> Result<(), Failure> {
+    let filter = filter(batch)?;
+    let mut plans = plans(&sources, filter.as_ref())?;
     if plans.is_empty() {
         // All of them are of another build, which was said.
         return Ok(());
@@ -45,14 +53,15 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     let experiments: Vec<String> = plans.iter().map(|plan| plan.experiment.id.clone()).collect();
     batch.baselines.check(&experiments)?;
     let profile = batch.profile.value();
+    let sweep = if with_stiff { of_profile(profile, filter.as_ref(), batch.shard) } else { None };
     if batch.dry_run {
-        return dry_run(&plans, profile, batch.shard);
+        return dry_run(&plans, sweep.as_ref(), profile, batch.shard);
     }
     if let Some(shard) = batch.shard {
         let environment = shards::environment();
         let hash = config_hash(&plans, &sources, batch, &environment);
         let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
-        return shards::carry_out(&plans, shard, batch, &folder.of_shard(shard));
+        return shards::carry_out(&plans, sweep.as_ref(), batch, &folder.of_shard(shard));
     }
     let _lock = lock::take()?;
     let (instruments, environment) = Instruments::set_up(batch.pin)?;
@@ -72,19 +81,23 @@ fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
     eprintln!(
         "{} experiments, about {} s; results in {}",
         plans.len(),
-        plans.iter().map(|plan| estimate(plan, profile, None).total()).sum::<f64>().ceil(),
+        seconds_of_all(&plans, sweep.as_ref(), profile, None).ceil(),
         folder.path().display()
     );
-    let ended = measure(&plans, before, batch, &folder, instruments);
+    let ended = measure(&plans, before, batch, &folder, instruments)
+        .and_then(|wrong| conclude(sweep.as_ref(), batch, &folder, wrong));
     batch.baselines.finish(ended, folder.path(), &experiments)
 }
 
-fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
+fn filter(batch: &Batch) -> Result<Option<Regex>, Failure> {
     let filter = batch.filter.as_deref().map(pattern_of).transpose();
-    let filter = filter.map_err(|error| Failure::Usage(format!("--filter: {error}")))?;
+    filter.map_err(|error| Failure::Usage(format!("--filter: {error}")))
+}
+
+fn plans(sources: &[Source], filter: Option<&Regex>) -> Result<Vec<Plan>, Failure> {
     let mut plans: Vec<Plan> = Vec::new();
     for (origin, experiment) in here(sources)? {
-        let plan = Plan::new(origin, experiment, filter.as_ref())?;
+        let plan = Plan::new(origin, experiment, filter)?;
         if plans.iter().any(|other| other.experiment.id == plan.experiment.id) {
             return Err(Failure::Usage(format!(
                 "{origin}: id '{}' stands in two files; allowed: one",
@@ -130,14 +143,15 @@ fn here(sources: &[Source]) -> Result<Vec<(&str, Experiment)>, Failure> {
     Ok(experiments)
 }
 
-/// Runs plan by plan; each is saved when it is done, and saved as unfinished when interrupted.
+/// Runs plan by plan; each is saved when it is done, and saved as unfinished when interrupted. Gives
+/// the variants that were wrong.
 fn measure(
     plans: &[Plan],
     before: Vec<Before>,
     batch: &Batch,
     folder: &Folder,
     mut instruments: Instruments,
-) -> Result<(), Failure> {
+) -> Result<Vec<String>, Failure> {
     let profile = batch.profile.value();
     let cancel = interrupt::flag();
     let bar = progress::bar(plans.iter().map(|plan| plan.blocks(profile)).sum());
@@ -170,9 +184,26 @@ fn measure(
         }
     }
     bar.finish_and_clear();
+    Ok(wrong)
+}
+
+/// What stands at the end of a run: stiff cases, the report, where it all is.
+fn conclude(
+    sweep: Option<&Sweep>,
+    batch: &Batch,
+    folder: &Folder,
+    wrong: Vec<String>,
+) -> Result<(), Failure> {
+    if let Some(sweep) = sweep
+        && !sweep_once(folder, sweep, batch.resume)?
+    {
+        return Err(interrupted(folder));
+    }
     rounds::draw_timeline(folder.path())?;
+    let results = load(&[folder.path().to_owned()], &describe)?;
+    let summary = publish(&results, folder.path())?;
     // Everything is saved: a stdout that is closed does not change what came of it.
-    let _ = writeln!(std::io::stdout(), "{}", folder.path().display());
+    let _ = writeln!(std::io::stdout(), "{summary}{}", folder.path().display());
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Wrong(wrong)) }
 }
 

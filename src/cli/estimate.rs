@@ -1,10 +1,12 @@
 //! How long a run will take, before it runs.
 
 use std::io::Write;
+use std::num::NonZero;
 
 use super::failure::Failure;
 use crate::experiment::{ErrorsWorkload, PairsWorkload, Plan, Profile, StiffWorkload, Workload};
 use crate::shard::Shard;
+use crate::stability::{EXPERIMENT, Sweep};
 
 /// What an experiment is expected to take, in seconds.
 #[derive(Clone, Copy, Debug, Default)]
@@ -51,21 +53,46 @@ fn errors_of(plan: &Plan) -> f64 {
     }
 }
 
+/// Of one answer held against the exact one, which all processors share out among them.
+fn seconds_of_an_answer() -> f64 {
+    0.4e-6 / std::thread::available_parallelism().map_or(1.0, |count| count.get() as f64)
+}
+
 /// Both references; exact answers take as long as some ten forms.
 fn of_errors(plan: &Plan, errors: &ErrorsWorkload) -> f64 {
-    1e-6 * (errors.seeds * errors.hits * (2 * plan.variants.len() + 10)) as f64
+    seconds_of_an_answer() * (errors.seeds * errors.hits * (2 * plan.variants.len() + 10)) as f64
 }
 
 /// Exact answers take as long as some ten forms.
 fn of_stiff(plan: &Plan, stiff: &StiffWorkload) -> f64 {
-    1e-6 * (stiff.knobs.len() * stiff.cases * (plan.variants.len() + 10)) as f64
+    seconds_of_an_answer() * (stiff.knobs.len() * stiff.cases * (plan.variants.len() + 10)) as f64
+}
+
+/// What everything is expected to take, in seconds.
+pub fn seconds_of_all(
+    plans: &[Plan],
+    sweep: Option<&Sweep>,
+    profile: Profile,
+    shard: Option<Shard>,
+) -> f64 {
+    let plans: f64 = plans.iter().map(|plan| estimate(plan, profile, shard).total()).sum();
+    plans + sweep.map_or(0.0, seconds_of_sweep)
+}
+
+fn seconds_of_sweep(sweep: &Sweep) -> f64 {
+    sweep.seconds(std::thread::available_parallelism().map_or(1, NonZero::get))
 }
 
 /// Prints what would run and how long it would take.
 ///
 /// # Errors
 /// When stdout cannot be written.
-pub fn dry_run(plans: &[Plan], profile: Profile, shard: Option<Shard>) -> Result<(), Failure> {
+pub fn dry_run(
+    plans: &[Plan],
+    sweep: Option<&Sweep>,
+    profile: Profile,
+    shard: Option<Shard>,
+) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     let mut sum = Estimate::default();
     writeln!(
@@ -90,6 +117,11 @@ pub fn dry_run(plans: &[Plan], profile: Profile, shard: Option<Shard>) -> Result
         sum.timing += one.timing;
         sum.clock_free += one.clock_free;
         sum.drawing += one.drawing;
+    }
+    if let Some(sweep) = sweep {
+        let seconds = seconds_of_sweep(sweep);
+        writeln!(out, "{EXPERIMENT:<14}{:>9}{seconds:>41.1}", sweep.forms.len())?;
+        sum.clock_free += seconds;
     }
     writeln!(
         out,

@@ -86,6 +86,11 @@ impl Folder {
         Folder { shard: Some(shard), ..self }
     }
 
+    /// Whether it is for a share of the work.
+    pub fn is_of_shard(&self) -> bool {
+        self.shard.is_some()
+    }
+
     /// The folder of a run that goes on: time is counted from where its rounds end.
     pub fn going_on(self) -> Self {
         let began_s = rounds::last_s(&self.path);
@@ -133,17 +138,12 @@ impl Folder {
         let journal = read_journal(&file);
         let journal = journal.map_err(|error| Failure::Usage(format!("--resume: {error}")))?;
         if let Some(journal) = journal {
-            self.refuse_others(&file, &journal.header.run_key, plan)?;
+            self.refuse_others(&file, &journal.header.run_key, &plan.experiment.text)?;
             return Ok(Before::Begun(journal));
         }
-        let file = self.file(id, ROWS);
-        let Ok(run) = read_json(&file) else { return Ok(Before::Nothing) };
-        let key = run.environment.get(RUN_KEY).cloned();
-        let key = key.and_then(|key| serde_json::from_value(key).ok()).unwrap_or_default();
-        self.refuse_others(&file, &key, plan)?;
-        if run.environment.get(COMPLETE).and_then(Value::as_bool) != Some(true) {
+        let Some(run) = self.finished(id, &plan.experiment.text)? else {
             return Ok(Before::Nothing);
-        }
+        };
         let mut wrong: Vec<String> = Vec::new();
         for row in run.rows.iter().filter(|row| row.status == "wrong-result") {
             if !wrong.contains(&row.id) {
@@ -153,8 +153,22 @@ impl Folder {
         Ok(Before::Finished(wrong))
     }
 
-    fn refuse_others(&self, file: &Path, key: &RunKey, plan: &Plan) -> Result<(), Failure> {
-        let now = self.key(plan);
+    /// The rows of an experiment that was finished here, by its id and text.
+    ///
+    /// # Errors
+    /// Usage, if it was run with another configuration, program or machine.
+    pub fn finished(&self, id: &str, text: &str) -> Result<Option<RunFile>, Failure> {
+        let file = self.file(id, ROWS);
+        let Ok(run) = read_json(&file) else { return Ok(None) };
+        let key = run.environment.get(RUN_KEY).cloned();
+        let key = key.and_then(|key| serde_json::from_value(key).ok()).unwrap_or_default();
+        self.refuse_others(&file, &key, text)?;
+        let is_complete = run.environment.get(COMPLETE).and_then(Value::as_bool) == Some(true);
+        Ok(is_complete.then_some(run))
+    }
+
+    fn refuse_others(&self, file: &Path, key: &RunKey, text: &str) -> Result<(), Failure> {
+        let now = self.key(text);
         let Some((part, before, now)) = key.difference(&now) else { return Ok(()) };
         Err(Failure::Usage(format!(
             "--resume: {} was made with another {part} ('{before}', now '{now}'); allowed: the \
@@ -164,9 +178,9 @@ impl Folder {
     }
 
     /// What must be the same for an experiment to be gone on with.
-    fn key(&self, plan: &Plan) -> RunKey {
+    fn key(&self, text: &str) -> RunKey {
         let mut hash = Fnv::default();
-        hash.bytes(plan.experiment.text.as_bytes());
+        hash.bytes(text.as_bytes());
         RunKey {
             config: format!("text {:016x} {}", hash.finish(), self.settings),
             binary: binary(&self.environment.build),
@@ -209,9 +223,10 @@ impl Folder {
         let goes_on = matches!(before, Before::Begun(_));
         let contents = match before {
             Before::Begun(journaled) => journaled,
-            Before::Nothing | Before::Finished(_) => {
-                Journaled { header: Header::new(self.key(plan), id, seed), pieces: Vec::new() }
-            }
+            Before::Nothing | Before::Finished(_) => Journaled {
+                header: Header::new(self.key(&plan.experiment.text), id, seed),
+                pieces: Vec::new(),
+            },
         };
         let rounds = RoundsLog::begin(&self.path.join(id), self.began_s, goes_on)?;
         Ok(Keeper::begin(&self.file(id, JOURNAL), contents, rounds)?)
@@ -254,18 +269,34 @@ impl Folder {
     }
 
     fn run_file(&self, plan: &Plan, outcome: &Outcome) -> Result<RunFile, Failure> {
-        let mut environment = serde_json::to_value(&self.environment)
-            .map_err(|error| Failure::Runtime(error.into()))?;
-        environment[RUN_KEY] = json!(self.key(plan));
-        environment[COMPLETE] = json!(!outcome.interrupted);
-        put_shard(&mut environment, self.shard, &outcome.places);
+        let Experiment { id, text, seed, .. } = &plan.experiment;
+        let (complete, places) = (!outcome.interrupted, &outcome.places);
         Ok(RunFile {
             schema_version: SCHEMA_VERSION.to_owned(),
-            environment,
-            seed: plan.experiment.seed,
-            workload_hash: workload_hash(&plan.experiment.id, &outcome.rows),
+            environment: self.circumstances(text, complete, places)?,
+            seed: *seed,
+            workload_hash: workload_hash(id, &outcome.rows),
             rows: outcome.rows.clone(),
         })
+    }
+
+    /// What is said around the rows of an experiment of that text: the environment, by what the run
+    /// can be gone on with, whether all of it is there, and of a share where its rows stand.
+    ///
+    /// # Errors
+    /// None that a value of ours could have.
+    pub fn circumstances(
+        &self,
+        text: &str,
+        complete: bool,
+        places: &[u64],
+    ) -> Result<Value, Failure> {
+        let mut environment = serde_json::to_value(&self.environment)
+            .map_err(|error| Failure::Runtime(error.into()))?;
+        environment[RUN_KEY] = json!(self.key(text));
+        environment[COMPLETE] = json!(complete);
+        put_shard(&mut environment, self.shard, places);
+        Ok(environment)
     }
 }
 

@@ -32,6 +32,7 @@ mod slips;
 mod stability;
 mod stability_tables;
 mod stored;
+mod sweep;
 mod thesis;
 mod unfinished;
 

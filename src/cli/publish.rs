@@ -7,11 +7,12 @@ use crate::chart::{ChartError, Published, draw, placeholder};
 use crate::results::{Chapter, Drawing, Results, drawings};
 use crate::table::write_atomically;
 
-/// Draws every figure into the folder of its experiment under `out`.
+/// Draws every figure into the folder of its experiment under `out`; gives the summary that a terminal
+/// shows.
 ///
 /// # Errors
 /// When a file cannot be written. A figure that its rows do not fit becomes a picture that says so.
-pub fn publish(results: &Results, out: &Path) -> Result<(), Failure> {
+pub fn publish(results: &Results, out: &Path) -> Result<String, Failure> {
     let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
     for chapter in &results.chapters {
         let folder = out.join(&chapter.about.id);
@@ -21,7 +22,7 @@ pub fn publish(results: &Results, out: &Path) -> Result<(), Failure> {
             write_atomically(&folder.join(format!("{}.svg", drawing.file)), svg.as_bytes())?;
         }
     }
-    Ok(())
+    Ok(String::new())
 }
 
 /// The picture; one that says why there is none, where figure and rows do not go together.

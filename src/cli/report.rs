@@ -49,8 +49,8 @@ pub fn run(arguments: &Report) -> Result<(), Failure> {
     if !is_own {
         stored::write(&results, &out)?;
     }
-    publish(&results, &out)?;
-    writeln!(std::io::stdout(), "{}", out.display())?;
+    let summary = publish(&results, &out)?;
+    writeln!(std::io::stdout(), "{summary}{}", out.display())?;
     Ok(())
 }
 

@@ -6,14 +6,15 @@ use std::time::Instant;
 
 use super::arguments::Batch;
 use super::batch::{interrupted, said};
-use super::estimate::estimate;
+use super::estimate::seconds_of_all;
 use super::failure::Failure;
 use super::folder::{Before, Folder};
+use super::sweep::sweep_once;
 use super::{interrupt, progress};
 use crate::experiment::{Plan, is_clock_free, run_shard};
 use crate::level::levels;
 use crate::measure::{Environment, WallClock};
-use crate::shard::Shard;
+use crate::stability::Sweep;
 
 /// The circumstances of work that needs no clock: nothing is pinned.
 pub fn environment() -> Environment {
@@ -58,11 +59,12 @@ pub fn clock_free(plans: Vec<Plan>) -> Result<Vec<Plan>, Failure> {
 /// As a run.
 pub fn carry_out(
     plans: &[Plan],
-    shard: Shard,
+    sweep: Option<&Sweep>,
     batch: &Batch,
     folder: &Folder,
 ) -> Result<(), Failure> {
     let (profile, resume) = (batch.profile.value(), batch.resume);
+    let shard = batch.shard.unwrap_or_default();
     let before = |plan: &Plan| if resume { folder.before(plan) } else { Ok(Before::Nothing) };
     let before = plans.iter().map(before).collect::<Result<Vec<_>, _>>()?;
     folder.create()?;
@@ -74,7 +76,7 @@ pub fn carry_out(
     eprintln!(
         "part {shard} of {} experiments, about {} s; results in {}",
         plans.len(),
-        plans.iter().map(|plan| estimate(plan, profile, Some(shard)).total()).sum::<f64>().ceil(),
+        seconds_of_all(plans, sweep, profile, Some(shard)).ceil(),
         folder.path().display()
     );
     let cancel = interrupt::flag();
@@ -101,6 +103,11 @@ pub fn carry_out(
         }
     }
     bar.finish_and_clear();
+    if let Some(sweep) = sweep
+        && !sweep_once(folder, sweep, batch.resume)?
+    {
+        return Err(interrupted(folder));
+    }
     // Everything is saved: a stdout that is closed does not change what came of it.
     let _ = writeln!(std::io::stdout(), "{}", folder.path().display());
     Ok(())

@@ -3,26 +3,18 @@
 use std::io::Write;
 use std::num::NonZero;
 use std::path::PathBuf;
-use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 use clap::Args;
-use serde_json::json;
 
 use super::arguments::Format;
 use super::failure::Failure;
 use super::folder::Folder;
 use super::show::print;
-use super::stored::{put_shard, workload_hash};
-use super::{interrupt, progress, shards, stability_tables};
-use crate::chart::{Published, draw, stability_figures};
+use super::sweep::sweep_into;
+use super::{shards, stability_tables};
 use crate::measure::Environment;
 use crate::shard::Shard;
-use crate::spread::Watch;
-use crate::stability::{
-    Depth, EXPERIMENT, Family, Outcome, Precision, Sweep, families, forms, known_words,
-};
-use crate::table::{RunFile, SCHEMA_VERSION, write_atomically, write_csv, write_json};
+use crate::stability::{Depth, Family, Precision, Sweep, families, forms, known_words};
 use crate::workload::hash::Fnv;
 
 /// What is said below the options.
@@ -87,7 +79,8 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
     let sweep = sweep(arguments)?;
     let environment = shards::environment();
     let hash = hash(arguments, &environment);
-    let folder = Folder::new(arguments.out.as_deref(), hash, environment.clone(), String::new());
+    let folder = Folder::new(arguments.out.as_deref(), hash, environment, String::new());
+    let folder = arguments.shard.into_iter().fold(folder, Folder::of_shard);
     folder.create()?;
     let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
     eprintln!(
@@ -98,18 +91,7 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
         sweep.seconds(processors).ceil(),
         folder.path().display()
     );
-    let cancel = interrupt::flag();
-    let bar = progress::bar(sweep.pieces());
-    let start = Instant::now();
-    let done = |_: usize| bar.inc(1);
-    let outcome = sweep.run(&Watch { cancel, done: &done, threads: None });
-    bar.finish_and_clear();
-    let figures = save(&folder, &environment, &outcome, &sweep, arguments.shard)?;
-    eprintln!(
-        "{} rows, {figures} figures, {:.1} s",
-        outcome.rows.len(),
-        start.elapsed().as_secs_f64()
-    );
+    let outcome = sweep_into(&folder, &sweep)?;
     match arguments.format {
         Format::Text => write!(std::io::stdout(), "{}", stability_tables::text(&outcome.rows))?,
         format => print(&stability_tables::sheet(&outcome.rows), format)?,
@@ -117,7 +99,7 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
     if arguments.format == Format::Text {
         writeln!(std::io::stdout(), "{}", folder.path().display())?;
     }
-    if cancel.load(Ordering::Relaxed) && !outcome.complete {
+    if !outcome.complete {
         eprintln!("what was done is saved in {}", folder.path().display());
         return Err(Failure::Interrupted);
     }
@@ -181,39 +163,4 @@ fn hash(arguments: &Stability, environment: &Environment) -> u64 {
     hash.bytes(settings.as_bytes());
     hash.bytes(format!("{:?}", environment.build).as_bytes());
     hash.finish()
-}
-
-/// Writes rows and figures; returns how many figures.
-fn save(
-    folder: &Folder,
-    environment: &Environment,
-    outcome: &Outcome,
-    sweep: &Sweep,
-    shard: Option<Shard>,
-) -> Result<usize, Failure> {
-    let path = folder.path().join(EXPERIMENT);
-    std::fs::create_dir_all(&path)?;
-    write_csv(&path.join("rows.csv"), &outcome.rows)?;
-    let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
-    let is_whole = outcome.complete && shard.is_none();
-    let figures = if is_whole { stability_figures(&outcome.rows) } else { Vec::new() };
-    for figure in &figures {
-        let svg = draw(figure, &outcome.rows, &published)
-            .map_err(|error| Failure::Runtime(error.into()))?;
-        write_atomically(&path.join(format!("{}.svg", figure.file)), svg.as_bytes())?;
-    }
-    let mut environment =
-        serde_json::to_value(environment).map_err(|error| Failure::Runtime(error.into()))?;
-    environment["complete"] = json!(outcome.complete);
-    put_shard(&mut environment, shard, &outcome.places);
-    let run = RunFile {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        environment,
-        seed: sweep.seed,
-        workload_hash: workload_hash(EXPERIMENT, &outcome.rows),
-        rows: outcome.rows.clone(),
-    };
-    // Last: it says that everything is there.
-    write_json(&path.join("rows.json"), &run)?;
-    Ok(figures.len())
 }
