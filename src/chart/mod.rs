@@ -31,11 +31,12 @@ mod text;
 mod upright;
 mod wanted;
 
+pub use ambiguous::differing;
 pub use envelope::Envelope;
 pub use figure::{Beside, Figure, Kind, Names, Scale};
 pub use published::{Measure, Published, PublishedPoint};
 pub use stability::stability_figures;
-pub use wanted::Wanted;
+pub use wanted::{Wanted, admits};
 
 use crate::table::Row;
 
