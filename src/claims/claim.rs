@@ -24,12 +24,15 @@ pub struct Claim {
     pub conditions: Option<Vec<String>>,
     /// The conditions that the claim itself is about; those of the file if they are not given.
     pub decides: Option<Vec<String>>,
-    /// A sentence to show where another condition has another verdict.
+    /// A sentence by condition, to show where its verdict is the opposite of the deciding one.
     #[serde(default)]
-    pub explains: String,
+    pub explains: BTreeMap<String, String>,
     /// What would decide it, shown where it is undecided.
     #[serde(default)]
     pub wants: String,
+    /// What of the statement has no part, so that the claim is undecided even where all parts hold.
+    #[serde(default)]
+    pub untested: String,
     /// Why no experiment can decide it; such a claim has no parts.
     #[serde(default)]
     pub not_testable: String,

@@ -29,7 +29,9 @@ pub fn conditions(claim: &Claim, rows: &[&Row]) -> Vec<Condition> {
         let mut values = values_of(claim, &rows);
         // Stable: what is not listed stays behind, in its order.
         values.sort_by_key(|values| values.first().map(|value| rank(value)));
-        found.extend(values.into_iter().map(|values| Condition { values, machine: machine.clone() }));
+        found.extend(
+            values.into_iter().map(|values| Condition { values, machine: machine.clone() }),
+        );
     }
     found.sort_by_key(|condition| condition.values.first().map(|value| rank(value)));
     found
@@ -78,6 +80,10 @@ fn values_of(claim: &Claim, rows: &[&Row]) -> Vec<Vec<String>> {
                 own.push(values);
             }
         }
+        let has_rows = rows.iter().any(|row| series.experiment.list().contains(&row.experiment));
+        if own.is_empty() && has_rows {
+            continue;
+        }
         common = Some(match common {
             None => own,
             Some(others) => others.into_iter().filter(|one| own.contains(one)).collect(),
@@ -99,12 +105,19 @@ impl Condition {
         let agrees = |row: &Row| {
             let mut columns = claim.columns().iter().zip(&self.values);
             columns.all(|(column, value)| {
-                series.filter.contains_key(column) || text(row, column) == *value
+                let own = text(row, column);
+                // What no clock was involved in has no order, and is the same in all.
+                series.filter.contains_key(column) || own.is_empty() || own == *value
             })
         };
         let of_machine =
             |row: &Row| self.machine.as_ref().is_none_or(|machine| row.machine == *machine);
         rows.iter().copied().filter(|row| of_machine(row) && agrees(row)).collect()
+    }
+
+    /// The values of the claim's condition columns.
+    pub fn values(&self) -> impl Iterator<Item = &String> {
+        self.values.iter()
     }
 
     /// Whether the claim itself is about it.
@@ -117,8 +130,7 @@ impl Condition {
 
     /// As it is shown: `literal`, or `literal, AMD EPYC`.
     pub fn name(&self) -> String {
-        let all: Vec<&str> =
-            self.values.iter().chain(&self.machine).map(String::as_str).collect();
+        let all: Vec<&str> = self.values.iter().chain(&self.machine).map(String::as_str).collect();
         all.join(", ")
     }
 }

@@ -42,22 +42,29 @@ impl Estimate {
     /// another, whose ranks lie as many standard deviations (half the root of the number of rounds) from
     /// the middle as the normal distribution says. Where rounds lie about evenly between those ranks,
     /// which is the assumption, the ends move in proportion to those standard deviations: from the
-    /// quantile 1 - 0.025 to that of 1 - 0.025 / comparisons. Positive figures are of logarithms of
-    /// ratios, or as good as those, and move on that scale.
+    /// quantile 1 - 0.025 to that of 1 - 0.025 / comparisons. They may lie evenly themselves, or, as
+    /// ratios do, their logarithms; of both the wider interval is taken.
     pub fn corrected(self, comparisons: usize) -> Self {
+        if self.is_exact() || comparisons < 2 {
+            return self;
+        }
         let tail = 0.025;
         let quantile = |tail: f64| normal_quantile(1.0 - tail);
-        let (Some(one), Some(all)) = (quantile(tail), quantile(tail / comparisons.max(1) as f64))
-        else {
+        let (Some(one), Some(all)) = (quantile(tail), quantile(tail / comparisons as f64)) else {
             return self;
         };
         let times = all / one;
         let Estimate { value, low, high } = self;
-        if low > 0.0 {
-            let (low, high) = (value * (low / value).powf(times), value * (high / value).powf(times));
-            return Estimate { value, low, high };
+        let evenly = Estimate {
+            value,
+            low: value - (value - low) * times,
+            high: value + (high - value) * times,
+        };
+        if low <= 0.0 {
+            return evenly;
         }
-        Estimate { value, low: value - (value - low) * times, high: value + (high - value) * times }
+        // The lower end of the logarithms is the higher one of both.
+        Estimate { high: evenly.high.max(value * (high / value).powf(times)), ..evenly }
     }
 
     /// With the ends moved by a share of themselves, outwards.
@@ -175,7 +182,8 @@ mod tests {
         // The quantile of 0.9875 is 2.241402728, that of 0.975 1.959963985.
         let times: f64 = 2.241_402_728 / 1.959_963_985;
         let two = a.corrected(2);
-        assert!((two.low - 10.0 * 0.9f64.powf(times)).abs() < 1e-7, "{two:?}");
+        assert!((two.low - (10.0 - times)).abs() < 1e-7, "{two:?}");
+        assert!((two.high - 10.0 * 1.1f64.powf(times)).abs() < 1e-7, "{two:?}");
         let across = of(0.0, -1.0, 2.0).corrected(2);
         assert!((across.high - 2.0 * times).abs() < 1e-7 && (across.low + times).abs() < 1e-7);
         assert_eq!(Estimate::exact(3.0).corrected(9), Estimate::exact(3.0));

@@ -29,9 +29,8 @@ pub struct Scope<'a> {
 impl<'a> Scope<'a> {
     /// `rows_of` gives the rows that a series may choose from.
     pub fn new<'r>(claim: &'a Claim, rows_of: impl Fn(&super::SeriesOf) -> Vec<&'r Row>) -> Self {
-        let of = |(name, of): (&'a String, &super::SeriesOf)| {
-            (name.as_str(), select(of, &rows_of(of)))
-        };
+        let of =
+            |(name, of): (&'a String, &super::SeriesOf)| (name.as_str(), select(of, &rows_of(of)));
         Scope { claim, series: claim.series.iter().map(of).collect() }
     }
 
@@ -60,6 +59,19 @@ impl<'a> Scope<'a> {
         formula.names().into_iter().map(of).fold(0.0, f64::max)
     }
 
+    /// Whether nothing that a formula needs was left to chance.
+    pub fn is_exact(&self, formula: &Expression) -> bool {
+        formula.names().into_iter().all(|name| {
+            match (self.claim.read.get(name), self.series.get(name)) {
+                (Some(inner), _) => self.is_exact(inner),
+                (None, Some(Ok(selected))) => {
+                    selected.series.cells.iter().all(|(_, figure)| figure.is_exact())
+                }
+                _ => true,
+            }
+        })
+    }
+
     fn value(&self, formula: &Expression, comparisons: usize) -> Result<Value, Lack> {
         match formula {
             Expression::Number(number) => Ok(Value::One(Estimate::exact(*number))),
@@ -68,11 +80,9 @@ impl<'a> Scope<'a> {
             Expression::Negative(inner) => {
                 each(self.value(inner, comparisons)?, |x| Some(x.negated()), "-")
             }
-            Expression::Joined(operator, one, other) => join(
-                *operator,
-                self.value(one, comparisons)?,
-                self.value(other, comparisons)?,
-            ),
+            Expression::Joined(operator, one, other) => {
+                join(*operator, self.value(one, comparisons)?, self.value(other, comparisons)?)
+            }
             Expression::Call(function, arguments) => {
                 let values = |comparisons: usize| -> Result<Vec<Value>, Lack> {
                     arguments.iter().map(|one| self.value(one, comparisons)).collect()

@@ -136,7 +136,11 @@ impl<'a> Parser<'a> {
     fn word(&mut self) -> Result<Expression, String> {
         self.at += 1;
         let word = self.while_passes(|c| c != '"').to_owned();
-        if self.takes('"') { Ok(Expression::Word(word)) } else { Err(self.wrong("the end", "'\"'")) }
+        if self.takes('"') {
+            Ok(Expression::Word(word))
+        } else {
+            Err(self.wrong("the end", "'\"'"))
+        }
     }
 
     fn number(&mut self) -> Result<Expression, String> {

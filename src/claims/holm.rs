@@ -6,29 +6,36 @@ use super::estimate::Estimate;
 /// A figure with the side of its bound that it lies on.
 pub type Judged = (Estimate, Side);
 
+/// A figure and its bound.
+pub struct Member<F> {
+    /// The bound.
+    pub bound: Bound,
+    /// Whether nothing in it was left to chance; such a figure takes no part in the count.
+    pub exact: bool,
+    /// The figure, with its intervals corrected for so many comparisons.
+    pub figure: F,
+}
+
 /// Judges figures against their bounds by Holm's steps: the one that is the most decided must be so with
 /// an interval that is corrected for all of them, the next one for one less. From the first on
 /// that is not decided, none is, and all are shown with its correction. So the chance that any
 /// figure is called decided by accident stays that of one interval.
-///
-/// `figure` gives a figure with its intervals corrected for so many comparisons; exact figures are no
-/// comparisons, and take no part in the count.
-pub fn judge<F: Fn(usize) -> Estimate>(family: &[(Bound, F)]) -> Vec<Judged> {
-    let alone: Vec<Estimate> = family.iter().map(|(_, figure)| figure(1)).collect();
+pub fn judge<F: Fn(usize) -> Estimate>(family: &[Member<F>]) -> Vec<Judged> {
+    let alone: Vec<Estimate> = family.iter().map(|member| (member.figure)(1)).collect();
+    let side = |at: usize, found: &Estimate| family[at].bound.side(found);
     let mut judged: Vec<Judged> =
-        family.iter().zip(&alone).map(|((bound, _), found)| (*found, bound.side(found))).collect();
-    let mut order: Vec<usize> = (0..family.len()).filter(|&at| !alone[at].is_exact()).collect();
-    let decidedness = |at: usize| family[at].0.decidedness(&alone[at]);
+        alone.iter().enumerate().map(|(at, found)| (*found, side(at, found))).collect();
+    let mut order: Vec<usize> = (0..family.len()).filter(|&at| !family[at].exact).collect();
+    let decidedness = |at: usize| family[at].bound.decidedness(&alone[at]);
     // Stable: equal ones stay in the order of the claim.
     order.sort_by(|&a, &b| decidedness(b).total_cmp(&decidedness(a)));
     let mut comparisons = order.len();
     let mut stopped = false;
     for at in order {
-        let (bound, figure) = &family[at];
-        let found = figure(comparisons);
-        let side = bound.side(&found);
+        let found = (family[at].figure)(comparisons);
+        let side = side(at, &found);
         stopped |= side == Side::Both;
-        // Another correction could decide it, but it comes behind one that is not decided.
+        // Even if this correction decides it: it comes behind one that is not decided.
         judged[at] = (found, if stopped { Side::Both } else { side });
         if !stopped {
             comparisons -= 1;
@@ -49,9 +56,15 @@ mod tests {
     }
 
     fn sides(values: &[(f64, f64)]) -> Vec<Side> {
-        let family: Vec<_> =
-            values.iter().map(|(v, half)| (Bound::Above(0.0), figure(*v, *half))).collect();
-        judge(&family).into_iter().map(|(_, side)| side).collect()
+        let member = |(value, half): &(f64, f64)| Member {
+            bound: Bound::Above(0.0),
+            exact: *half == 0.0,
+            figure: figure(*value, *half),
+        };
+        judge(&values.iter().map(member).collect::<Vec<_>>())
+            .into_iter()
+            .map(|(_, side)| side)
+            .collect()
     }
 
     #[test]
@@ -76,8 +89,9 @@ mod tests {
 
     #[test]
     fn the_shown_interval_is_the_corrected_one() {
-        let family = [(Bound::Above(0.0), figure(9.0, 1.0)), (Bound::Above(0.0), figure(5.0, 1.0))];
-        let found = judge(&family);
+        let member =
+            |value| Member { bound: Bound::Above(0.0), exact: false, figure: figure(value, 1.0) };
+        let found = judge(&[member(9.0), member(5.0)]);
         assert!(found[0].0.low < 8.0 && found[0].1 == Side::Right);
         assert!((found[1].0.low - 4.0).abs() < 1e-9);
     }

@@ -5,7 +5,7 @@ use super::claim::{Claim, Part};
 use super::conditions::{Condition, conditions, machines};
 use super::estimate::Estimate;
 use super::evaluate::Scope;
-use super::holm;
+use super::holm::{self, Member};
 use super::lack::Lack;
 use super::ledger::Ledger;
 use super::words::{shown, shown_with_interval};
@@ -18,16 +18,14 @@ pub fn judge(ledger: &Ledger, rows: &[&Row]) -> Vec<Finding> {
     ledger.claims().iter().flat_map(|claim| of_claim(claim, rows)).collect()
 }
 
-fn of_claim(claim: &Claim, rows: &[&Row]) -> Vec<Finding> {
+/// The findings of one claim.
+pub fn of_claim(claim: &Claim, rows: &[&Row]) -> Vec<Finding> {
     if !claim.is_testable() {
         return vec![blank(claim, Verdict::NotTestable, claim.not_testable.clone())];
     }
     let experiments = claim.experiments();
-    let rows: Vec<&Row> = rows
-        .iter()
-        .copied()
-        .filter(|row| experiments.contains(&row.experiment.as_str()))
-        .collect();
+    let rows: Vec<&Row> =
+        rows.iter().copied().filter(|row| experiments.contains(&row.experiment.as_str())).collect();
     let judged: Vec<(Condition, Finding)> = conditions(claim, &rows)
         .into_iter()
         .map(|condition| {
@@ -36,11 +34,17 @@ fn of_claim(claim: &Claim, rows: &[&Row]) -> Vec<Finding> {
         })
         .collect();
     let decided = judged.iter().find(|(_, finding)| finding.decides).map(|(_, f)| f.verdict);
-    let explained = |(_, mut finding): (Condition, Finding)| {
-        let differs = decided.is_some_and(|decided| decided != finding.verdict);
-        if differs && finding.verdict != Verdict::Undecided && !claim.explains.is_empty() {
-            finding.details += ". ";
-            finding.details += &claim.explains;
+    let explained = |(condition, mut finding): (Condition, Finding)| {
+        let opposite = match finding.verdict {
+            Verdict::Reproduced => Some(Verdict::NotReproduced),
+            Verdict::NotReproduced => Some(Verdict::Reproduced),
+            _ => None,
+        };
+        if opposite.is_some() && decided == opposite {
+            for sentence in condition.values().filter_map(|value| claim.explains.get(value)) {
+                finding.details += ". ";
+                finding.details += sentence;
+            }
         }
         finding
     };
@@ -87,8 +91,12 @@ fn of_condition(claim: &Claim, condition: &Condition, rows: &[&Row]) -> Finding 
         return named(blank(claim, Verdict::Undecided, details));
     }
     let outcomes = outcomes(claim, &scope);
-    let verdict = verdict(&outcomes);
+    let mut verdict = verdict(&outcomes);
     let mut details: Vec<String> = outcomes.iter().map(words).collect();
+    if verdict == Verdict::Reproduced && !claim.untested.is_empty() {
+        verdict = Verdict::Undecided;
+        details.push(claim.untested.clone());
+    }
     if verdict == Verdict::Undecided && !claim.wants.is_empty() {
         details.push(format!("what would decide it: {}", claim.wants));
     }
@@ -122,8 +130,9 @@ fn outcomes<'a>(claim: &'a Claim, scope: &Scope<'_>) -> Vec<Outcome<'a>> {
                         high: f64::INFINITY,
                     })
                 };
+                let exact = part.formula.as_ref().is_some_and(|formula| scope.is_exact(formula));
                 places.push(outcomes.len());
-                family.push((part.bound, corrected));
+                family.push(Member { bound: part.bound, exact, figure: corrected });
                 outcomes.push(Outcome { part, found: Ok((alone, Side::Both)) });
             }
         }

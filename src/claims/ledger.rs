@@ -174,7 +174,10 @@ fn check_series(series: &SeriesOf) -> Result<(), Wrong> {
     if !series.values.is_empty() {
         let printed = series.experiment.list().is_empty() && series.value.is_empty();
         if !printed || series.along.list().len() != 1 {
-            return wrong("values", "allowed: printed figures along one column, without experiment");
+            return wrong(
+                "values",
+                "allowed: printed figures along one column, without experiment",
+            );
         }
         return Ok(());
     }
@@ -207,7 +210,11 @@ fn check_names(claim: &Claim) -> Result<(), Wrong> {
         // Each step inwards names other formulas, so after so many steps a name comes again.
         let mut names: Vec<&str> = formula.names();
         for _ in 0..claim.read.len() {
-            names = names.iter().filter_map(|n| claim.read.get(*n)).flat_map(Expression::names).collect();
+            names = names
+                .iter()
+                .filter_map(|n| claim.read.get(*n))
+                .flat_map(Expression::names)
+                .collect();
         }
         if names.iter().any(|name| claim.read.contains_key(*name)) {
             return wrong(field, "it needs itself; allowed: formulas that end in series");
@@ -217,12 +224,10 @@ fn check_names(claim: &Claim) -> Result<(), Wrong> {
 }
 
 fn names_are_known(claim: &Claim, formula: &Expression, field: &str) -> Result<(), Wrong> {
-    let is_known =
-        |name: &&str| claim.series.contains_key(*name) || claim.read.contains_key(*name);
+    let is_known = |name: &&str| claim.series.contains_key(*name) || claim.read.contains_key(*name);
     let Some(unknown) = formula.names().into_iter().find(|name| !is_known(name)) else {
         return Ok(());
     };
-    let all: Vec<&str> =
-        claim.series.keys().chain(claim.read.keys()).map(String::as_str).collect();
+    let all: Vec<&str> = claim.series.keys().chain(claim.read.keys()).map(String::as_str).collect();
     wrong(field, format!("'{unknown}' is not allowed; allowed: {}", all.join(", ")))
 }

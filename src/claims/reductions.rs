@@ -103,9 +103,8 @@ fn each_order(figures: &[Estimate], order: &mut Vec<usize>, found: &mut impl FnM
     for next in 0..figures.len() {
         let left = |other: &usize| !order.contains(other) && *other != next;
         // Nothing that is left may surely be smaller.
-        let smallest = (0..figures.len())
-            .filter(left)
-            .all(|other| figures[other].high >= figures[next].low);
+        let smallest =
+            (0..figures.len()).filter(left).all(|other| figures[other].high >= figures[next].low);
         if !order.contains(&next) && smallest {
             order.push(next);
             each_order(figures, order, found);
@@ -167,7 +166,8 @@ mod tests {
     #[test]
     fn ranks_correlate_as_printed_in_textbooks() {
         // 1 - 6 * (1 + 1 + 0 + 1 + 1) / (5 * 24) = 0.8.
-        let found = spearman(&exact(&[1.0, 2.0, 3.0, 4.0, 5.0]), &exact(&[2.0, 1.0, 3.0, 5.0, 4.0]));
+        let found =
+            spearman(&exact(&[1.0, 2.0, 3.0, 4.0, 5.0]), &exact(&[2.0, 1.0, 3.0, 5.0, 4.0]));
         assert!(found.is_ok_and(|rho| (rho.value - 0.8).abs() < 1e-15 && rho.is_exact()));
         let same = spearman(&exact(&[3.0, 1.0, 2.0]), &exact(&[30.0, 10.0, 20.0]));
         assert_eq!(same, Ok(Estimate::exact(1.0)));

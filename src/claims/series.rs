@@ -83,7 +83,9 @@ impl Series {
     ) -> Result<Self, Lack> {
         if self.along != other.along {
             let (ours, theirs) = (self.along(), other.along());
-            return Err(Lack::new(format!("figures along {ours} and along {theirs} have no pairs")));
+            return Err(Lack::new(format!(
+                "figures along {ours} and along {theirs} have no pairs"
+            )));
         }
         let find = |series: &Series, key: &[String]| {
             series.cells.iter().find(|(own, _)| own == key).map(|(_, figure)| *figure)

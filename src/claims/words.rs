@@ -22,12 +22,10 @@ fn trimmed(digits: &str) -> &str {
     if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits }
 }
 
-/// A figure with its interval, where it has one.
+/// A figure with its interval, where one is to be seen.
 pub fn shown_with_interval(found: &Estimate) -> String {
-    if found.is_exact() {
-        return shown(found.value);
-    }
-    format!("{} [{}, {}]", shown(found.value), shown(found.low), shown(found.high))
+    let [value, low, high] = [found.value, found.low, found.high].map(shown);
+    if low == value && high == value { value } else { format!("{value} [{low}, {high}]") }
 }
 
 /// All findings of one claim in a line, for instance `reproduced (literal, fixed); contradicted

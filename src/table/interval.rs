@@ -69,12 +69,8 @@ mod tests {
 
     #[test]
     fn rates_have_the_interval_of_the_time_the_other_way_round() {
-        let row = Row {
-            ns_per_test: Some(2.0),
-            ns_low: Some(1.0),
-            ns_high: Some(4.0),
-            ..Row::default()
-        };
+        let row =
+            Row { ns_per_test: Some(2.0), ns_low: Some(1.0), ns_high: Some(4.0), ..Row::default() };
         assert_eq!(interval(&row, "mtests_per_s", 500.0), Some((250.0, 1000.0)));
         assert_eq!(interval(&row, "seconds", 10.0), Some((5.0, 20.0)));
         assert_eq!(interval(&Row::default(), "seconds", 10.0), None);
