@@ -95,11 +95,6 @@ impl Function {
         ALL.map(|(name, ..)| name).join(", ")
     }
 
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        ALL.iter().find(|(_, own, ..)| *own == self).map_or("", |(name, ..)| name)
-    }
-
     /// Whether it takes so many arguments; the error says how many it does.
     pub fn accepts(self, count: usize) -> Result<(), String> {
         let arity = ALL.iter().find(|(_, own, ..)| *own == self);

@@ -97,8 +97,10 @@ fn of_condition(claim: &Claim, condition: &Condition, rows: &[&Row]) -> Finding 
         verdict = Verdict::Undecided;
         details.push(claim.untested.clone());
     }
-    if verdict == Verdict::Undecided && !claim.wants.is_empty() {
-        details.push(format!("what would decide it: {}", claim.wants));
+    if verdict == Verdict::Undecided
+        && let Some(wanted) = wanted(claim, &outcomes)
+    {
+        details.push(format!("what would decide it: {wanted}"));
     }
     let finding = blank(claim, verdict, details.join("; "));
     named(with_nearest(finding, &outcomes))
@@ -158,6 +160,19 @@ fn verdict(outcomes: &[Outcome<'_>]) -> Verdict {
     }
 }
 
+/// What would decide an undecided claim: in its own words, or, where intervals are too wide, less noise. What
+/// rows are missing the parts say themselves.
+fn wanted<'a>(claim: &'a Claim, outcomes: &[Outcome<'_>]) -> Option<&'a str> {
+    let is_open = |outcome: &Outcome<'_>| matches!(outcome.found, Ok((_, Side::Both)));
+    match claim.wants.as_str() {
+        "" if outcomes.iter().any(is_open) => {
+            Some("more rounds (`--profile thorough`), or a quieter machine")
+        }
+        "" => None,
+        own => Some(own),
+    }
+}
+
 /// What a part says, in words.
 fn words(outcome: &Outcome<'_>) -> String {
     let part = outcome.part;
@@ -180,9 +195,13 @@ fn words(outcome: &Outcome<'_>) -> String {
     )
 }
 
-/// Puts in the figure of the part that is closest to failing, or furthest beyond.
+/// Puts in the figure of the part that fails by the most or, where none fails, is closest to failing. What has
+/// no interval comes last among those that hold: it is not close to anything.
 fn with_nearest(finding: Finding, outcomes: &[Outcome<'_>]) -> Finding {
-    let distance = |part: &Part, found: &Estimate| Bound::distance(part.bound, found.value);
+    let distance = |part: &Part, found: &Estimate| {
+        let distance = Bound::distance(part.bound, found.value);
+        if found.is_exact() && distance >= 0.0 { f64::INFINITY } else { distance }
+    };
     let with_figures = outcomes.iter().filter_map(|outcome| {
         let (found, _) = outcome.found.as_ref().ok()?;
         Some((outcome.part, found, distance(outcome.part, found)))

@@ -76,7 +76,8 @@ pub struct Finding {
     pub statement: String,
     /// The published figure of the part that `measured` is about, as text; empty if none is printed.
     pub published: String,
-    /// The figure of the part that is closest to failing, or fails by the most, in units of its bound.
+    /// The figure of the part that fails by the most, in units of its bound, or is closest to failing.
+    /// Parts without an interval come last among those that hold.
     pub measured: Option<f64>,
     /// Lower end of its interval, corrected for the number of the claim's parts.
     pub low: Option<f64>,

@@ -163,3 +163,25 @@ fn csv_has_a_row_per_claim_and_condition() {
         lines[4].starts_with("X-2,nobody,a / b depends on the machine.,,,,,literal,undecided,")
     );
 }
+
+#[test]
+fn an_undecided_claim_says_what_would_decide_it() {
+    let found = of("X-1", &on("", [("literal", 1.0), ("fixed", 1.2), ("reshuffled", 1.2)]));
+    let wanted = "what would decide it: more rounds (`--profile thorough`), or a quieter machine";
+    assert!(found[0].details.ends_with(wanted), "{}", found[0].details);
+    assert!(!found[1].details.contains("what would decide it"));
+    // Without rows the part says what to run, and more rounds of nothing help nobody.
+    let found = of("X-1", &[]);
+    assert!(found[0].details.contains("run `ray_test run configs/x.toml`"));
+    assert!(!found[0].details.contains("more rounds"));
+}
+
+#[test]
+fn an_exact_part_that_fails_is_shown() {
+    // 4 less than 0; the ratio holds.
+    let mut rows = on("", [("literal", 1.2), ("fixed", 1.2), ("reshuffled", 1.2)]);
+    rows.retain(|row| row.experiment != "counts");
+    rows.extend([count("a", "", 5), count("b", "", 9)]);
+    let found = of("X-1", &rows);
+    assert_eq!((found[0].measured, found[0].verdict), (Some(-4.0), Verdict::NotReproduced));
+}
