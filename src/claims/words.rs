@@ -6,7 +6,8 @@ use super::{Finding, Verdict};
 /// A figure with four significant digits, zeros behind the point left out.
 pub fn shown(value: f64) -> String {
     const DIGITS: i32 = 4;
-    let scientific = format!("{value:.*e}", DIGITS as usize - 1);
+    // Adding 0 makes 0 of -0.
+    let scientific = format!("{:.*e}", DIGITS as usize - 1, value + 0.0);
     let Some((digits, exponent)) = scientific.split_once('e') else { return scientific };
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if !(-4..=6).contains(&exponent) {
@@ -64,6 +65,7 @@ mod tests {
     fn four_digits_are_shown() {
         for (value, wanted) in [
             (0.0, "0"),
+            (-0.0, "0"),
             (1.0, "1"),
             (0.971_26, "0.9713"),
             (36.0, "36"),
