@@ -2,6 +2,7 @@
 //! matter of the registry, and is checked when they are run.
 #![cfg(feature = "cli")]
 
+use ray_test::claims::Ledger;
 use ray_test::experiment::Experiment;
 use std::collections::BTreeSet;
 use std::fs;
@@ -71,16 +72,6 @@ fn experiments() -> Vec<(String, Experiment)> {
     files.into_iter().map(parsed).collect()
 }
 
-/// Id, source and statement of every claim.
-fn claims() -> Vec<[String; 3]> {
-    let text = fs::read_to_string(folder().join("published/claims.txt")).unwrap();
-    let line = |line: &str| {
-        let parts: Vec<String> = line.split(" | ").map(str::to_owned).collect();
-        <[String; 3]>::try_from(parts).unwrap_or_else(|parts| panic!("three parts: {parts:?}"))
-    };
-    text.lines().filter(|line| !line.starts_with('#')).map(line).collect()
-}
-
 #[test]
 fn the_experiments_are_these_and_each_is_named_as_its_file() {
     let found = experiments();
@@ -107,11 +98,11 @@ fn every_question_is_a_question() {
 
 #[test]
 fn every_claim_is_listed_once_and_every_experiment_names_listed_ones() {
-    let claims = claims();
-    let ids: BTreeSet<&str> = claims.iter().map(|[id, ..]| id.as_str()).collect();
-    assert_eq!(ids.len(), claims.len());
-    for [id, source, statement] in &claims {
-        assert!(!source.is_empty() && statement.ends_with('.'), "{id}");
+    let ledger = Ledger::embedded().unwrap_or_else(|error| panic!("{error}"));
+    let ids: BTreeSet<&str> = ledger.claims().iter().map(|claim| claim.id.as_str()).collect();
+    assert_eq!(ids.len(), ledger.claims().len());
+    for claim in ledger.claims() {
+        assert!(claim.statement.ends_with('.'), "{}", claim.id);
     }
     for (name, experiment) in experiments() {
         let mirrors = !experiment.mirrors.is_empty();

@@ -32,12 +32,13 @@ mod timeline;
 mod upright;
 mod wanted;
 
+pub use ambiguous::differing;
 pub use envelope::Envelope;
 pub use figure::{Beside, Figure, Kind, Names, Scale, Within};
 pub use published::{Measure, Published, PublishedPoint};
 pub use stability::stability_figures;
 pub use timeline::timeline;
-pub use wanted::Wanted;
+pub use wanted::{Wanted, admits};
 
 use crate::table::Row;
 

@@ -80,3 +80,9 @@ impl From<crate::experiment::ConfigError> for Failure {
         Failure::Usage(error.to_string())
     }
 }
+
+impl From<crate::claims::LedgerError> for Failure {
+    fn from(error: crate::claims::LedgerError) -> Self {
+        Failure::Usage(error.to_string())
+    }
+}

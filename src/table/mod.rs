@@ -8,6 +8,7 @@ mod clock;
 mod columns;
 mod csv;
 mod file;
+mod interval;
 mod journal;
 #[cfg(test)]
 mod journal_tests;
@@ -23,6 +24,7 @@ pub use self::csv::{read_csv, write_csv};
 pub use cell::Cell;
 pub use clock::CLOCK_COLUMNS;
 pub use file::{remove_partial_files, write_atomically};
+pub use interval::{has_interval, interval};
 pub use journal::{Header, Journal, Journaled, read_journal};
 pub use json::{RunFile, SCHEMA_VERSION, read_json, write_json};
 pub use key::RunKey;

@@ -2,8 +2,8 @@
 
 use crate::chart::ChartError;
 use crate::chart::figure::Figure;
-use crate::chart::select::{Selection, interval, joined};
-use crate::table::{Cell, Row};
+use crate::chart::select::{Selection, joined};
+use crate::table::{Cell, Row, interval};
 
 /// More than this many times the time of the front at the same error, in the same precision, and a
 /// point is set apart instead of stretching the axis for all.
