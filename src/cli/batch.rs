@@ -8,17 +8,15 @@ use std::time::{Duration, Instant};
 use regex::Regex;
 
 use super::arguments::{Batch, Reproduce, Run};
-use super::describe::describe;
 use super::estimate::{dry_run, seconds_of_all};
 use super::failure::Failure;
 use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
-use super::publish::publish;
+use super::publish::{publish, read};
 use super::sweep::{of_profile, sweep_once};
 use super::{interrupt, lock, progress, rounds, shards, unfinished};
 use crate::experiment::{Experiment, Plan, pattern_of, run as run_plan};
 use crate::measure::Environment;
-use crate::results::load;
 use crate::stability::Sweep;
 use crate::workload::hash::Fnv;
 
@@ -200,7 +198,7 @@ fn conclude(
         return Err(interrupted(folder));
     }
     rounds::draw_timeline(folder.path())?;
-    let results = load(&[folder.path().to_owned()], &describe)?;
+    let results = read(&[folder.path().to_owned()])?;
     let summary = publish(&results, folder.path())?;
     // Everything is saved: a stdout that is closed does not change what came of it.
     let _ = writeln!(std::io::stdout(), "{summary}{}", folder.path().display());

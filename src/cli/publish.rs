@@ -1,11 +1,26 @@
 //! What a reader opens, made from results: figures, tables, report.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use super::describe::describe;
 use super::failure::Failure;
 use crate::chart::{ChartError, Published, draw, placeholder};
-use crate::results::{Chapter, Drawing, Results, drawings};
-use crate::table::write_atomically;
+use crate::claims::{Ledger, judge, to_csv};
+use crate::results::{Chapter, Drawing, LoadError, Results, derived, drawings, load};
+use crate::table::{Row, write_atomically};
+
+/// What folders hold, with what follows from it: the mixture of return codes, behind their shares.
+///
+/// # Errors
+/// For folders that hold no results, or broken ones.
+pub fn read(folders: &[PathBuf]) -> Result<Results, LoadError> {
+    let mut results = load(folders, &describe)?;
+    if let Some(mixture) = derived::mixture(&results) {
+        let codes = results.chapters.iter().position(|chapter| chapter.about.id == "b-4.5");
+        results.chapters.insert(codes.map_or(0, |place| place + 1), mixture);
+    }
+    Ok(results)
+}
 
 /// Draws every figure into the folder of its experiment under `out`; gives the summary that a terminal
 /// shows.
@@ -22,6 +37,9 @@ pub fn publish(results: &Results, out: &Path) -> Result<String, Failure> {
             write_atomically(&folder.join(format!("{}.svg", drawing.file)), svg.as_bytes())?;
         }
     }
+    let rows: Vec<&Row> = results.rows().collect();
+    let findings = judge(&Ledger::embedded()?, &rows);
+    write_atomically(&out.join("claims.csv"), &to_csv(&findings))?;
     Ok(String::new())
 }
 

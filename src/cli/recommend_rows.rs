@@ -5,12 +5,11 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::failure::Failure;
-use crate::results::{About, Chapter, Results, Source};
-use crate::table::read_json;
+use super::publish::read as read_folders;
+use crate::results::{ENVIRONMENT, ROWS, Results};
 
 /// Where runs lie by default.
 const RUNS: &str = "results";
-const ROWS: &str = "rows.json";
 
 /// The rows of these folders, or of the newest run.
 ///
@@ -18,73 +17,31 @@ const ROWS: &str = "rows.json";
 /// Usage for a folder that cannot be read or holds no rows, and where there is no run.
 pub fn read(folders: &[PathBuf]) -> Result<Results, Failure> {
     let newest = if folders.is_empty() { vec![newest_run(Path::new(RUNS))?] } else { Vec::new() };
-    let mut results = Results::default();
-    for folder in folders.iter().chain(&newest) {
-        let files = rows_files(folder).map_err(|error| refused(folder, &error.to_string()))?;
-        if files.is_empty() {
-            return Err(refused(folder, "there are no rows"));
-        }
-        for file in files {
-            results.chapters.push(chapter(&file)?);
-        }
-        let (label, folders) = (String::new(), vec![folder.display().to_string()]);
-        results.sources.push(Source { label, folders, environment: environment(folder) });
-    }
-    Ok(results)
+    let folders: Vec<PathBuf> = folders.iter().chain(&newest).cloned().collect();
+    read_folders(&folders).map_err(|error| {
+        Failure::Usage(format!(
+            "--from: {error}; allowed: the folder of a run (`ray_test reproduce --out DIR`)"
+        ))
+    })
 }
 
-fn refused(folder: &Path, why: &str) -> Failure {
-    Failure::Usage(format!(
-        "--from: {}: {why}; allowed: the folder of a run (`ray_test reproduce --out DIR`)",
-        folder.display()
-    ))
+/// Whether a folder is that of a run: it has a folder with rows.
+fn is_run(folder: &Path) -> bool {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.into_iter().any(|entry| entry.path().join(ROWS).is_file())
 }
 
-/// The files of rows in a folder, one for each experiment, by name; that of one experiment is a
-/// folder, too.
-fn rows_files(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-    let own = folder.join(ROWS);
-    if own.is_file() {
-        return Ok(vec![own]);
-    }
-    let entries = std::fs::read_dir(folder)?.flatten();
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path().join(ROWS)).collect();
-    files.retain(|file| file.is_file());
-    files.sort();
-    Ok(files)
-}
-
-fn chapter(file: &Path) -> Result<Chapter, Failure> {
-    let run = read_json(file).map_err(|error| Failure::Usage(format!("--from: {error}")))?;
-    let folder = file.parent().and_then(Path::file_name);
-    let about = About {
-        id: folder.map(|name| name.to_string_lossy().into_owned()).unwrap_or_default(),
-        title: String::new(),
-        mirrors: String::new(),
-        question: String::new(),
-        why: String::new(),
-        config: String::new(),
-        command: String::new(),
-        claims: Vec::new(),
-        figures: Vec::new(),
-    };
-    let complete = run.environment.get("complete").and_then(Value::as_bool) == Some(true);
-    Ok(Chapter { about, rows: run.rows, complete, workload_hash: run.workload_hash })
-}
-
-fn environment(folder: &Path) -> Value {
-    let text = std::fs::read_to_string(folder.join("environment.json"));
-    text.ok().and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
+/// When it was measured, as text that sorts; empty if it does not say.
+fn date(folder: &Path) -> String {
+    let text = std::fs::read_to_string(folder.join(ENVIRONMENT)).unwrap_or_default();
+    let environment: Value = serde_json::from_str(&text).unwrap_or_default();
+    environment.get("date").and_then(Value::as_str).unwrap_or_default().to_owned()
 }
 
 /// The run with the latest date in its `environment.json`; among equals the last by name.
 fn newest_run(runs: &Path) -> Result<PathBuf, Failure> {
     let entries = std::fs::read_dir(runs).into_iter().flatten().flatten();
-    let has_rows = |folder: &PathBuf| rows_files(folder).is_ok_and(|files| !files.is_empty());
-    let date = |folder: &PathBuf| {
-        environment(folder).get("date").and_then(Value::as_str).unwrap_or_default().to_owned()
-    };
-    let folders = entries.map(|entry| entry.path()).filter(has_rows);
+    let folders = entries.map(|entry| entry.path()).filter(|folder| is_run(folder));
     folders.max_by_key(|folder| (date(folder), folder.clone())).ok_or_else(|| {
         Failure::Usage(format!(
             "there is no run under {}/ to recommend by; allowed: `ray_test reproduce` first (about \

@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::describe::describe;
 use super::failure::Failure;
-use super::publish::publish;
+use super::publish::{publish, read};
 use super::stored;
-use crate::results::{ENVIRONMENT, JOURNAL, LoadError, ROWS, Results, load};
+use crate::results::{ENVIRONMENT, JOURNAL, LoadError, ROWS, Results};
 
 /// What is said below the options.
 pub const HELP: &str = "Examples:
@@ -38,7 +37,7 @@ pub struct Report {
 /// Usage for folders that hold no results or broken ones, and for an unusable `--out`.
 pub fn run(arguments: &Report) -> Result<(), Failure> {
     let (out, is_own) = out(arguments)?;
-    let results = load(&arguments.folders, &describe)?;
+    let results = read(&arguments.folders)?;
     say(&results);
     std::fs::create_dir_all(&out).map_err(|error| {
         Failure::Usage(format!(
