@@ -89,3 +89,12 @@ fn different_experiments_of_one_machine_are_one_source() {
     assert_eq!(results.chapters[0].rows.len(), 2);
     assert!(results.rows().all(|row| row.machine.is_empty()));
 }
+
+#[test]
+fn another_text_is_another_measurement() {
+    let place = split(&[&[0, 1, 2, 3], &[4, 5, 6, 7]]);
+    write(&place.0.join("1/h-11/experiment.toml"), "of before");
+    assert_eq!(place.load(&["1", "2"]).expect("they are there").sources.len(), 1);
+    write(&place.0.join("2/h-11/experiment.toml"), "of after");
+    assert_eq!(place.load(&["1", "2"]).expect("they are there").sources.len(), 2);
+}
