@@ -62,19 +62,13 @@ pub fn carry_out(
     batch: &Batch,
     folder: &Folder,
 ) -> Result<(), Failure> {
-    let (profile, resume) = (batch.profile.value(), batch.resume);
-    let before = |plan: &Plan| if resume { folder.before(plan) } else { Ok(Before::Nothing) };
-    let before = plans.iter().map(before).collect::<Result<Vec<_>, _>>()?;
-    folder.create()?;
-    if resume {
-        folder.tidy(plans);
-    } else {
-        folder.begin_anew(plans)?;
-    }
+    let before = folder.open(plans, batch.resume)?;
+    let seconds =
+        plans.iter().map(|plan| estimate(plan, batch.profile.value(), Some(shard)).total());
     eprintln!(
         "part {shard} of {} experiments, about {} s; results in {}",
         plans.len(),
-        plans.iter().map(|plan| estimate(plan, profile, Some(shard)).total()).sum::<f64>().ceil(),
+        seconds.sum::<f64>().ceil(),
         folder.path().display()
     );
     let cancel = interrupt::flag();
