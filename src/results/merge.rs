@@ -1,6 +1,6 @@
 //! Several folders into one, by the rules that stand above the module.
 
-use super::machine::{identity, labels};
+use super::machine::{build, identity, labels};
 use super::order::order;
 use super::part::{Part, Share};
 use super::{About, Chapter, Describe, Results, Source};
@@ -70,9 +70,13 @@ impl Measured {
     /// Whether a run is of this source: the same machine, build and experiments, and no other
     /// figure for the same thing.
     fn takes(&self, run: &[Part]) -> bool {
-        let own = identity(&self.environment);
-        own.is_some()
-            && run.first().is_some_and(|part| identity(&part.environment) == own)
+        let same = |of: fn(&Value) -> Option<Value>| {
+            let own = of(&self.environment);
+            own.is_some() && run.first().is_some_and(|part| of(&part.environment) == own)
+        };
+        let is_shared = |parts: &[Part]| parts.iter().all(|part| part.share.is_some());
+        let is_of_shards = is_shared(&self.parts) && is_shared(run);
+        (same(identity) || (is_of_shards && same(build)))
             && run.iter().all(|part| self.agrees(part))
     }
 

@@ -6,6 +6,8 @@
 //!   thing, or an experiment of another text: those are shards of a run, or runs of different
 //!   experiments. A row that is in two folders, equal in all columns, counts once. Folders that
 //!   differ in a figure are different measurements, and so different sources.
+//! - **Shards** need no clock, so that for folders of nothing but shards the same build is enough: a job
+//!   array may run on processors of several kinds. The source is then named after the first.
 //! - **The order of the rows** is that of the unsplit run: shards say where each of their rows stands
 //!   in it. Rows that are of no shard stand before those, folder by folder.
 //! - With several sources, the column `machine` of each row names its own, and the rows of an
