@@ -14,8 +14,9 @@
 #   scripts/slurm_array.sh --merge                             after the array: puts its folders together
 #   scripts/slurm_array.sh --dry-run N [CONFIG...]             says what each task would do
 #
-# The sweep of stiff cases (`ray_test stability`) is shared out with them; its depth is $DEPTH
-# (quick, standard or thorough; standard), `none` leaves it out. Folders go to $OUT (results/array), the program is $RAY_TEST (target/release/ray_test).
+# Without CONFIG the sweep of stiff cases is shared out with them. How much is drawn there is $PROFILE (quick,
+# standard or thorough; standard). Folders go to $OUT (results/array), the program is $RAY_TEST
+# (target/release/ray_test).
 # To have the merging done by itself:
 #
 #   array=$(sbatch --parsable scripts/slurm_array.sh)
@@ -26,7 +27,7 @@ set -euo pipefail
 
 program=${RAY_TEST:-target/release/ray_test}
 out=${OUT:-results/array}
-depth=${DEPTH:-standard}
+profile=${PROFILE:-standard}
 
 usage() {
     printf 'error: %s\nusage: %s [--local N | --dry-run N | --merge] [CONFIG...], or as a job array\n' \
@@ -34,20 +35,18 @@ usage() {
     exit 2
 }
 
-# task I N CONFIG...: the commands of a task, one a line; each can be gone on with after a time-out.
+# task I N CONFIG...: the command of a task, which can be gone on with after a time-out.
 task() {
     local part=$1 of=$2
     shift 2
     local verb=(reproduce)
     [ $# -eq 0 ] || verb=(run "$@")
-    printf '%q ' "$program" "${verb[@]}" --shard "$part/$of" --out "$out/part-$part" --resume
-    echo
-    [ "$depth" != none ] || return 0
-    printf '%q ' "$program" stability --depth "$depth" --shard "$part/$of" --out "$out/part-$part"
+    printf '%q ' "$program" "${verb[@]}" --profile "$profile" --shard "$part/$of" \
+        --out "$out/part-$part" --resume
     echo
 }
 
-# The commands of a task, until one fails.
+# Runs a task.
 run() { bash -euc "$(task "$@")"; }
 
 # All folders into one. A part that is missing is told by the report.

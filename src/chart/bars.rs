@@ -56,15 +56,9 @@ pub(super) fn draw(
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
     let mut without_unit = 0;
     if let Some(base) = &figure.normalise_to {
-        let name = figure.label(base);
-        y_title = if figure.normalise == Within::X {
-            without_unit += select::normalise_within_x(&mut ours, base);
-            without_unit += select::normalise_within_x(&mut theirs, base);
-            format!("{y_title}, relative to {name} in the same group")
-        } else {
-            let first = select::normalise_both(&mut ours, &mut theirs, base)?;
-            format!("{y_title}, relative to {name} at {}", figure.label(&first))
-        };
+        let relative_to;
+        (relative_to, without_unit) = normalise(figure, base, &mut ours, &mut theirs)?;
+        y_title = format!("{y_title}, relative to {relative_to}");
     }
     if figure.scale == Scale::Log {
         y_title.push_str(" (log scale)");
@@ -92,6 +86,26 @@ pub(super) fn draw(
         notes.push(format!("values without a place on the axis, not drawn: {hidden}"));
     }
     drawn(figure, &plan, &y_title, &notes)
+}
+
+/// Divides ours and the published points; says by what, and how many had nothing to be divided by.
+fn normalise(
+    figure: &Figure,
+    base: &str,
+    ours: &mut Vec<Point>,
+    theirs: &mut Vec<Point>,
+) -> Result<(String, usize), ChartError> {
+    let name = figure.label(base);
+    if figure.normalise == Within::Panel {
+        let first = select::normalise_both(ours, theirs, base)?;
+        return Ok((format!("{name} at {}", figure.label(&first)), 0));
+    }
+    let mut left_out = select::normalise_within_x(theirs, base);
+    left_out += select::normalise_within_x(ours, base);
+    if ours.is_empty() {
+        return Err(ChartError::Nothing(format!("there is no value of {base} to divide by")));
+    }
+    Ok((format!("{name} in the same group"), left_out))
 }
 
 fn plan(

@@ -66,16 +66,7 @@ fn carry_out(sources: Vec<Source>, batch: &Batch, with_stiff: bool) -> Result<()
     let hash = config_hash(&plans, &sources, batch, &environment);
     let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
     let folder = if batch.resume { folder.going_on() } else { folder };
-    let before = plans
-        .iter()
-        .map(|plan| if batch.resume { folder.before(plan) } else { Ok(Before::Nothing) });
-    let before = before.collect::<Result<Vec<_>, _>>()?;
-    folder.create()?;
-    if batch.resume {
-        folder.tidy(&plans);
-    } else {
-        folder.begin_anew(&plans)?;
-    }
+    let before = folder.open(&plans, batch.resume)?;
     eprintln!(
         "{} experiments, about {} s; results in {}",
         plans.len(),

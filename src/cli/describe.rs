@@ -62,3 +62,24 @@ fn of_stability() -> About {
         ..About::default()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_text_beside_the_rows_goes_before_ours() {
+        let (name, text) = built_in_sources().into_iter().next().expect("there are some");
+        let id = name.trim_start_matches("configs/").trim_end_matches(".toml").to_owned();
+        let config = |text: Option<&str>| describe(&id, text).map(|about| about.config);
+        assert_eq!(config(None), Some(name.clone()));
+        assert_eq!(config(Some(&text)), Some(name.clone()));
+        let changed = format!("{text}\n# changed\n");
+        assert_eq!(config(Some(&changed)), Some(format!("{id}/experiment.toml")));
+        // What this program does not understand does not hide what it knows.
+        assert_eq!(config(Some("id = 7")), Some(name));
+        assert!(describe("nobody-knows-this", None).is_none());
+        let stability = describe(STABILITY, None).expect("it has no file, but words");
+        assert_eq!((stability.id.as_str(), stability.config.as_str()), (STABILITY, ""));
+    }
+}

@@ -97,6 +97,23 @@ impl Folder {
         Folder { began_s, ..self }
     }
 
+    /// Makes it ready for plans, and says what there is of each: with `resume` what was kept, without
+    /// it nothing.
+    ///
+    /// # Errors
+    /// As [`Folder::before`] and [`Folder::create`].
+    pub fn open(&self, plans: &[Plan], resume: bool) -> Result<Vec<Before>, Failure> {
+        let before = |plan| if resume { self.before(plan) } else { Ok(Before::Nothing) };
+        let before = plans.iter().map(before).collect::<Result<Vec<_>, _>>()?;
+        self.create()?;
+        if resume {
+            self.tidy(plans);
+        } else {
+            self.begin_anew(plans)?;
+        }
+        Ok(before)
+    }
+
     /// Creates it and finds out whether it can be written, before anything runs.
     ///
     /// # Errors
@@ -131,7 +148,7 @@ impl Folder {
     /// # Errors
     /// Usage, if it was measured with another configuration, program or machine, or if its journal
     /// is broken.
-    pub fn before(&self, plan: &Plan) -> Result<Before, Failure> {
+    fn before(&self, plan: &Plan) -> Result<Before, Failure> {
         let id = &plan.experiment.id;
         let file = self.file(id, JOURNAL);
         // A journal is there until everything else is; it outlasts even a finished file of before.
@@ -189,7 +206,7 @@ impl Folder {
     }
 
     /// Before a run goes on: removes what a killed one was writing.
-    pub fn tidy(&self, plans: &[Plan]) {
+    fn tidy(&self, plans: &[Plan]) {
         remove_partial_files(&self.path);
         plans.iter().for_each(|plan| remove_partial_files(&self.path.join(&plan.experiment.id)));
     }
@@ -198,7 +215,7 @@ impl Folder {
     ///
     /// # Errors
     /// When it cannot be written.
-    pub fn begin_anew(&self, plans: &[Plan]) -> Result<(), Failure> {
+    fn begin_anew(&self, plans: &[Plan]) -> Result<(), Failure> {
         for plan in plans {
             let id = &plan.experiment.id;
             if [JOURNAL, ROWS].into_iter().any(|name| self.file(id, name).exists()) {

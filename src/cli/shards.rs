@@ -63,20 +63,12 @@ pub fn carry_out(
     batch: &Batch,
     folder: &Folder,
 ) -> Result<(), Failure> {
-    let (profile, resume) = (batch.profile.value(), batch.resume);
+    let before = folder.open(plans, batch.resume)?;
     let shard = batch.shard.unwrap_or_default();
-    let before = |plan: &Plan| if resume { folder.before(plan) } else { Ok(Before::Nothing) };
-    let before = plans.iter().map(before).collect::<Result<Vec<_>, _>>()?;
-    folder.create()?;
-    if resume {
-        folder.tidy(plans);
-    } else {
-        folder.begin_anew(plans)?;
-    }
     eprintln!(
         "part {shard} of {} experiments, about {} s; results in {}",
         plans.len(),
-        seconds_of_all(plans, sweep, profile, Some(shard)).ceil(),
+        seconds_of_all(plans, sweep, batch.profile.value(), Some(shard)).ceil(),
         folder.path().display()
     );
     let cancel = interrupt::flag();

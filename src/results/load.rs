@@ -13,9 +13,8 @@ use std::path::{Path, PathBuf};
 /// nobody knows.
 pub type Describe<'a> = &'a dyn Fn(&str, Option<&str>) -> Option<About>;
 
-/// Reads folders of results, each that of a run or of one experiment, and puts them together (how,
-/// says [`merge`](super::merge)). Runs that were interrupted are read with what is there, and
-/// marked as not complete.
+/// Reads folders of results, each that of a run or of one experiment, and puts them together. Runs
+/// that were interrupted are read with what is there, and marked as not complete.
 ///
 /// # Errors
 /// For files that cannot be read or are broken, and folders that hold no results.

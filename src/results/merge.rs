@@ -1,15 +1,6 @@
-//! Several folders into one.
-//!
-//! - **What was measured on one machine with one build** ([`identity`]) becomes one source, if no
-//!   two of its folders have different figures for the same thing: those are shards of a run, or
-//!   runs of different experiments. A row that is in two folders, equal in all columns, counts
-//!   once. Folders with different figures for the same thing are different measurements, and so
-//!   different sources.
-//! - **The order of the rows** is that of the unsplit run: shards say where each of their rows
-//!   stands in it. Rows that are of no shard stand before those, folder by folder.
-//! - With several sources, the column `machine` of each row names its own.
+//! Several folders into one, by the rules that stand above the module.
 
-use super::machine::{identity, labels};
+use super::machine::{build, identity, labels};
 use super::order::order;
 use super::part::{Part, Share};
 use super::{About, Chapter, Describe, Results, Source};
@@ -76,18 +67,26 @@ impl Measured {
         Measured { environment, folders, parts: run }
     }
 
-    /// Whether a run is of this source: the same machine and build, and no other figure for the
-    /// same thing.
+    /// Whether a run is of this source: the same machine, build and experiments, and no other
+    /// figure for the same thing.
     fn takes(&self, run: &[Part]) -> bool {
-        let own = identity(&self.environment);
-        own.is_some()
-            && run.first().is_some_and(|part| identity(&part.environment) == own)
+        let same = |of: fn(&Value) -> Option<Value>| {
+            let own = of(&self.environment);
+            own.is_some() && run.first().is_some_and(|part| of(&part.environment) == own)
+        };
+        let is_shared = |parts: &[Part]| parts.iter().all(|part| part.share.is_some());
+        let is_of_shards = is_shared(&self.parts) && is_shared(run);
+        (same(identity) || (is_of_shards && same(build)))
             && run.iter().all(|part| self.agrees(part))
     }
 
     fn agrees(&self, part: &Part) -> bool {
         let mut known = HashMap::new();
         for other in self.parts.iter().filter(|other| other.experiment == part.experiment) {
+            let texts = part.text.as_ref().zip(other.text.as_ref());
+            if texts.is_some_and(|(one, other)| one != other) {
+                return false;
+            }
             known.extend(keyed(&other.rows));
         }
         let differs = |(key, row): &(Key, &Row)| known.get(key).is_some_and(|other| other != row);

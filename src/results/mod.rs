@@ -1,4 +1,17 @@
 //! Folders of results, read back: what claims, reports and recommendations start from.
+//!
+//! How several are put together:
+//! - **What was measured on one machine with one build** (`testbed_id` and `build` of its environment
+//!   are the same) becomes one source, if no two of its folders have different figures for the same
+//!   thing, or an experiment of another text: those are shards of a run, or runs of different
+//!   experiments. A row that is in two folders, equal in all columns, counts once. Folders that
+//!   differ in a figure are different measurements, and so different sources.
+//! - **Shards** need no clock, so that for folders of nothing but shards the same build is enough: a job
+//!   array may run on processors of several kinds. The source is then named after the first.
+//! - **The order of the rows** is that of the unsplit run: shards say where each of their rows stands
+//!   in it. Rows that are of no shard stand before those, folder by folder.
+//! - With several sources, the column `machine` of each row names its own, and the rows of an
+//!   experiment stand source by source.
 
 mod drawings;
 mod files;

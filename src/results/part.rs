@@ -74,38 +74,36 @@ impl Part {
         (self.folder.clone(), identity(&self.environment), label)
     }
 
-    /// A part for each source, where it was put together from several before.
-    pub fn by_source(self) -> Vec<Part> {
+    /// A part for each source, where it was put together from several before. Rows that name none
+    /// of them are of an unknown machine.
+    pub fn by_source(mut self) -> Vec<Part> {
         let Some(Value::Array(sources)) = self.environment.get(SOURCES).cloned() else {
             return vec![self];
         };
+        let mut rows = std::mem::take(&mut self.rows);
+        self.environment = Value::Null;
         let mut parts: Vec<Part> = Vec::new();
-        let mut rows = self.rows;
         for source in sources {
             let label = source.get("label").and_then(Value::as_str).unwrap_or_default();
-            let (mine, others) = rows.into_iter().partition(|row: &Row| row.machine == label);
+            let (mine, others) = rows.into_iter().partition(|row| row.machine == label);
             rows = others;
             let mut environment = source.get("environment").cloned().unwrap_or_default();
             if environment.is_object() {
                 // Tells apart what was measured several times.
                 environment["label"] = label.into();
             }
-            let unnamed = |row: Row| Row { machine: String::new(), ..row };
-            let mine: Vec<Row> = Vec::into_iter(mine).map(unnamed).collect();
-            if !mine.is_empty() {
-                parts.push(Part {
-                    rows: mine,
-                    environment,
-                    folder: self.folder.clone(),
-                    experiment: self.experiment.clone(),
-                    text: self.text.clone(),
-                    share: None,
-                    complete: self.complete,
-                    workload_hash: self.workload_hash.clone(),
-                });
-            }
+            parts.push(self.with(mine, environment));
         }
+        parts.push(self.with(rows, Value::Null));
+        parts.retain(|part| !part.rows.is_empty());
         parts
+    }
+
+    /// The same with other rows, of one source.
+    fn with(&self, rows: Vec<Row>, environment: Value) -> Part {
+        let unnamed = |row: Row| Row { machine: String::new(), ..row };
+        let rows = rows.into_iter().map(unnamed).collect();
+        Part { rows, environment, share: None, ..self.clone() }
     }
 }
 

@@ -59,3 +59,11 @@ fn a_unit_without_a_kernel_to_divide_by_is_refused() {
     let error = figure.validate(&published()).expect_err("there is no unit").to_string();
     assert!(error.contains("normalise") && error.contains("normalise_to"), "{error}");
 }
+
+#[test]
+fn without_the_unit_the_picture_says_so() {
+    let mut rows = of_machine("", [2.0, 3.0, 1.5]);
+    rows.retain(|row| row.kernel != "moller1");
+    let svg = drawn(&config()[0], &rows);
+    assert!(svg.contains("there is no value of moller1 to divide by"));
+}

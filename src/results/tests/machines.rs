@@ -53,6 +53,12 @@ fn what_was_put_together_can_be_read_again() {
     place.run("both", &both, "b-4.2", &first.chapters[0].rows, ended());
     let second = place.load(&["both"]).expect("it is there");
     assert_eq!(second.chapters[0].rows, first.chapters[0].rows);
+    let mut strange = first.chapters[0].rows.clone();
+    strange[2].machine = "R".into();
+    place.run("strange", &both, "b-4.2", &strange, ended());
+    let strange = place.load(&["strange"]).expect("it is there");
+    let last = strange.sources.last().map(|one| one.label.as_str());
+    assert_eq!((last, strange.rows().count()), (Some("unknown machine"), 3));
     let pairs = second.sources.iter().zip(&first.sources);
     for (second, first) in pairs {
         assert_eq!((&second.label, &second.environment), (&first.label, &first.environment));

@@ -89,3 +89,29 @@ fn different_experiments_of_one_machine_are_one_source() {
     assert_eq!(results.chapters[0].rows.len(), 2);
     assert!(results.rows().all(|row| row.machine.is_empty()));
 }
+
+#[test]
+fn another_text_is_another_measurement() {
+    let place = split(&[&[0, 1, 2, 3], &[4, 5, 6, 7]]);
+    write(&place.0.join("1/h-11/experiment.toml"), "of before");
+    assert_eq!(place.load(&["1", "2"]).expect("they are there").sources.len(), 1);
+    write(&place.0.join("2/h-11/experiment.toml"), "of after");
+    assert_eq!(place.load(&["1", "2"]).expect("they are there").sources.len(), 2);
+}
+
+#[test]
+fn where_no_clock_was_read_the_build_is_enough() {
+    let place = split(&[&[0, 1, 2, 3], &[4, 5, 6, 7]]);
+    let (places, rows) = whole();
+    let second = share("2/2", &places[4..]);
+    place.run("q", &environment("Q", "3"), "h-11", &rows[4..], second.clone());
+    place.run("slow", &environment("Q", "2"), "h-11", &rows[4..], second);
+    let of = |runs: &[&str]| place.load(runs).expect("they are there");
+    let results = of(&["1", "q"]);
+    assert_eq!((results.sources.len(), results.sources[0].label.as_str()), (1, "P"));
+    assert_eq!(results.chapters[0].rows, rows);
+    assert_eq!(of(&["1", "slow"]).sources.len(), 2);
+    // Another machine's times beside them make it another machine.
+    place.run("q", &environment("Q", "3"), "b-4.2", &[timed("wald", 0.0, 2.0)], ended());
+    assert_eq!(of(&["1", "q"]).sources.len(), 2);
+}
