@@ -142,7 +142,7 @@ kind = "errors"
 hits = 200
 seeds = 3
 EOF
-expect 0 "shares, one after the other" env RAY_TEST="$program" OUT=array DEPTH=none \
+expect 0 "shares, one after the other" env RAY_TEST="$program" OUT=array PROFILE=quick \
     "$scripts/slurm_array.sh" --local 4 errors.toml
 expect 0 "the same in one" "$program" run errors.toml --out unsplit
 cmp array/merged/errors/rows.csv unsplit/errors/rows.csv || fail "shares that do not add up"
