@@ -116,6 +116,9 @@ pub mod results;
 pub mod claims;
 
 #[cfg(feature = "cli")]
+pub mod report;
+
+#[cfg(feature = "cli")]
 pub mod compare;
 
 #[cfg(feature = "cli")]

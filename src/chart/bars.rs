@@ -8,7 +8,7 @@ use super::figure::{Figure, Scale};
 use super::frame::{Frame, MARGIN, SMALL, bound_note, heading, published_note, title};
 use super::palette::{FAINT, GREY, INK, style};
 use super::published::{Measure, Published};
-use super::select::{self, Point, Selection};
+use super::select::{self, Point, Selection, Values};
 use super::{ChartError, text};
 use crate::table::Row;
 
@@ -50,12 +50,10 @@ pub(super) fn draw(
     published: &Published,
 ) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
-    let mut ours = selection.points_of_all(figure)?;
+    let (mut ours, mut theirs, first) = values(figure, &selection, published)?;
     let panels = select::distinct(&ours, |point| &point.panel);
-    let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
-    if let Some(base) = &figure.normalise_to {
-        let first = select::normalise_both(&mut ours, &mut theirs, base)?;
+    if let (Some(base), Some(first)) = (&figure.normalise_to, first) {
         y_title =
             format!("{y_title}, relative to {} at {}", figure.label(base), figure.label(&first));
     }
@@ -85,6 +83,20 @@ pub(super) fn draw(
         notes.push(format!("values without a place on the axis, not drawn: {hidden}"));
     }
     drawn(figure, &plan, &y_title, &notes)
+}
+
+/// Ours, the published ones, and the name of the category in which they are 1, where they are divided.
+pub(super) fn values(
+    figure: &Figure,
+    selection: &Selection<'_>,
+    published: &Published,
+) -> Result<Values, ChartError> {
+    let mut ours = selection.points_of_all(figure)?;
+    let panels = select::distinct(&ours, |point| &point.panel);
+    let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
+    let base = figure.normalise_to.as_ref();
+    let first = base.map(|base| select::normalise_both(&mut ours, &mut theirs, base)).transpose()?;
+    Ok((ours, theirs, first))
 }
 
 fn plan(

@@ -65,7 +65,7 @@ pub(super) fn draw(figure: &Figure, rows: &[Row]) -> Result<String, ChartError> 
 }
 
 /// The numbers in the fields.
-fn shown(
+pub(super) fn shown(
     figure: &Figure,
     selection: &Selection<'_>,
     shares: &[Point],

@@ -18,6 +18,7 @@ mod labels;
 mod line_marks;
 mod lines;
 mod normalise;
+mod numbers;
 mod palette;
 mod precision;
 mod published;
@@ -33,8 +34,13 @@ mod wanted;
 
 pub use envelope::Envelope;
 pub use figure::{Beside, Figure, Kind, Names, Scale};
+pub use frame::title;
+pub use numbers::{Count, Field, Numbers, numbers};
+pub use precision::{Dot, Standing, on_steps};
 pub use published::{Measure, Published, PublishedPoint};
+pub use select::Point;
 pub use stability::stability_figures;
+pub use text::figure as short_figure;
 pub use wanted::Wanted;
 
 use crate::table::Row;

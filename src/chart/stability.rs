@@ -76,6 +76,7 @@ fn blank(file: String, kind: Kind, question: String) -> Figure {
         x_high: None,
         errors_from: BTreeMap::new(),
         labels: BTreeMap::new(),
+        bare: false,
     }
 }
 

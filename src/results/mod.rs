@@ -1,5 +1,7 @@
 //! Folders of results, read back: what claims, reports and recommendations start from.
 
+mod fingerprint;
+
 use crate::chart::Figure;
 use crate::table::Row;
 use serde_json::Value;
@@ -26,7 +28,7 @@ pub struct Source {
 }
 
 /// An experiment's rows, from all sources.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Chapter {
     /// What it asks, and what is drawn.
     pub about: About,
@@ -39,7 +41,7 @@ pub struct Chapter {
 }
 
 /// What an experiment asks, without what runs it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct About {
     /// Id, the name of its folder.
     pub id: String,
