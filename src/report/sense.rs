@@ -111,9 +111,8 @@ pub(super) fn sense(column: &str) -> Sense {
             better: Better::Neither,
             best: "is the highest",
             worst: "is the lowest",
-            more: "less",
-            times: "times less",
             unit: if column == "share" { "%" } else { "" },
+            ..PLAIN
         },
         _ => PLAIN,
     };
@@ -140,7 +139,7 @@ impl Sense {
             return format!("{} % {}", crate::chart::short_figure(value), self.more);
         }
         let factor = if self.better == Better::Less { value / best } else { best / value };
-        if best <= 0.0 || value <= 0.0 || !factor.is_finite() {
+        if self.better == Better::Neither || best <= 0.0 || value <= 0.0 || !factor.is_finite() {
             return String::new();
         }
         if factor < 2.0 {
@@ -178,5 +177,6 @@ mod tests {
         assert_eq!(sense("ns_per_test").behind(10.0, 31.0), "3.10 times the time");
         assert_eq!(sense("percent_slower").behind(0.0, 3.7), "3.70 % slower");
         assert_eq!(sense("err_b_p99").behind(0.0, 1.0), "");
+        assert_eq!(sense("price").behind(0.3, 0.1), "");
     }
 }

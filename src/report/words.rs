@@ -16,6 +16,9 @@ pub(super) fn between(low: f64, high: f64) -> String {
 /// A share of 1 as percent: three digits, and no more decimals than two.
 pub(super) fn percent(share: f64) -> String {
     let percent = 100.0 * share;
+    if percent != 0.0 && percent.abs() < 0.005 {
+        return "under 0.01 %".to_owned();
+    }
     let decimals = match percent.abs() {
         size if size >= 10.0 => 0,
         size if size >= 1.0 => 1,

@@ -60,10 +60,12 @@ fn ranking(named: &Named<'_>, points: &[&Point], whole: bool) -> String {
     let mut order = points.to_vec();
     order.sort_by(|a, b| sense.order(a.y, b.y));
     let name = |point: &Point| named.name(point, telling);
+    let tied = order.iter().take_while(|point| point.y == order[0].y).count().max(1);
+    order.drain(1..tied.min(order.len()));
     let [best, rest @ ..] = order.as_slice() else { return "nothing was measured".to_owned() };
     let mut words = match rest {
         [] => format!("{}: {}", name(best), named.value(best)),
-        _ => format!("{} {} ({})", name(best), sense.best, named.value(best)),
+        _ => format!("{}{} {} ({})", name(best), ties(points, best), sense.best, named.value(best)),
     };
     if let (true, [next, ..]) = (whole, rest) {
         let behind = sense.behind(best.y, next.y);
@@ -77,6 +79,15 @@ fn ranking(named: &Named<'_>, points: &[&Point], whole: bool) -> String {
         words += &format!("; {} {}, {behind}", name(worst), sense.worst);
     }
     words
+}
+
+/// Said behind the name of the best where others have just the same value.
+fn ties(points: &[&Point], best: &Point) -> String {
+    match points.iter().filter(|point| point.y == best.y).count() {
+        0 | 1 => String::new(),
+        2 => ", like one other,".to_owned(),
+        several => format!(", like {} others,", several - 1),
+    }
 }
 
 /// Where columns stand beside each other: in which category they are nearest and furthest apart.

@@ -2,8 +2,8 @@
 
 use super::bars::panels;
 use super::named::{Named, apart};
-use crate::chart::{Point, short_figure};
-use crate::report::words::percent;
+use crate::chart::{Kind, Point, short_figure};
+use crate::report::words::{first_of, percent};
 
 /// Panels told one by one with all that there is to say.
 const PANELS: usize = 3;
@@ -22,114 +22,118 @@ pub(super) fn sentence(named: &Named<'_>, ours: &[Point], published: &[Point]) -
     parts.join(" ")
 }
 
-/// The best of each x, from left to right.
+/// The best and the next at an x that most series have a value at.
 struct Lead<'a> {
-    x: f64,
     best: &'a Point,
     next: Option<&'a Point>,
 }
 
-fn leads<'a>(named: &Named<'_>, points: &[&'a Point]) -> Vec<Lead<'a>> {
+/// From left to right; none where the series have no x in common.
+fn leads<'a>(named: &Named<'_>, points: &[&'a Point], series: usize) -> Vec<Lead<'a>> {
     let sense = named.sense();
     let mut order: Vec<&Point> = points.to_vec();
-    let place = |point: &Point| point.x_number().unwrap_or(f64::INFINITY);
     order.sort_by(|a, b| place(a).total_cmp(&place(b)).then(sense.order(a.y, b.y)));
     let columns = order.chunk_by(|a, b| place(a) == place(b));
-    let lead = |column: &[&'a Point]| Lead {
-        x: place(column[0]),
-        best: column[0],
-        next: column.get(1).copied(),
-    };
-    columns.map(lead).collect()
+    let shared = columns.filter(|column| 2 * column.len() > series);
+    shared.map(|column| Lead { best: column[0], next: column.get(1).copied() }).collect()
+}
+
+fn place(point: &Point) -> f64 {
+    point.x_number().unwrap_or(f64::INFINITY)
 }
 
 fn of_panel(named: &Named<'_>, points: &[&Point], whole: bool) -> String {
-    let leads = leads(named, points);
-    let (Some(first), Some(last)) = (leads.first(), leads.last()) else {
-        return "nothing was measured".to_owned();
+    const TOLD: usize = 4;
+    let mut series: Vec<&String> = Vec::new();
+    for point in points {
+        if !series.contains(&&point.series) {
+            series.push(&point.series);
+        }
+    }
+    let of = |name: &String| -> Vec<&Point> {
+        points.iter().copied().filter(|point| point.series == *name).collect()
     };
-    let x = x_name(named);
-    let alone = points.iter().all(|point| point.series == points[0].series);
-    if alone {
-        return growth(named, points, &x);
+    let leads = if series.len() > 1 { leads(named, points, series.len()) } else { Vec::new() };
+    if leads.is_empty() {
+        let told: Vec<String> = series.iter().map(|name| growth(named, &of(name), true)).collect();
+        return first_of(&told, TOLD);
     }
-    if leads.len() == 1 {
-        return format!("at {x} {} {}", short_figure(first.x), led(named, first));
+    let words = runs(named, &leads);
+    if !whole {
+        return words;
     }
-    let mut words = changes(named, &leads, &x);
-    if whole {
-        words += &format!(
-            "; at {x} {} {}, and at {} {}",
-            short_figure(first.x),
-            led(named, first),
-            short_figure(last.x),
-            led(named, last)
-        );
-        let mine: Vec<&Point> =
-            points.iter().copied().filter(|point| point.series == first.best.series).collect();
-        words += &format!("; {}", growth(named, &mine, &x));
-    }
-    words
+    format!("{words}; {}", growth(named, &of(&leads[0].best.series), false))
 }
 
-/// `x is the fastest (1 ns), y comes next, 3 % slower`
-fn led(named: &Named<'_>, lead: &Lead<'_>) -> String {
-    let (sense, label) = (named.sense(), |point: &Point| named.figure.label(&point.series));
-    let mut words = format!("{} has {}", label(lead.best), named.value(lead.best));
-    if let Some(next) = lead.next {
-        let behind = sense.behind(lead.best.y, next.y);
-        let behind = if behind.is_empty() { named.value(next) } else { behind };
-        words += &format!(" with {} {behind}{}", label(next), apart(lead.best, next));
-    }
-    words
-}
-
-/// Who is the best where.
-fn changes(named: &Named<'_>, leads: &[Lead<'_>], x: &str) -> String {
+/// Who is the best where, and by how much at the start, at the end and where there is one value.
+fn runs(named: &Named<'_>, leads: &[Lead<'_>]) -> String {
     const MOST: usize = 3;
-    let best = named.sense().best;
-    let label = |lead: &Lead<'_>| named.figure.label(&lead.best.series);
-    let runs: Vec<&[Lead<'_>]> =
-        leads.chunk_by(|a, b| a.best.series == b.best.series).collect();
-    if let [only] = runs.as_slice() {
-        return format!("{} {best} at every {x}", label(&only[0]));
-    }
-    let run = |run: &&[Lead<'_>]| {
-        let (from, to) = (short_figure(run[0].x), short_figure(run[run.len() - 1].x));
-        let span = if from == to { format!("at {from}") } else { format!("from {from} to {to}") };
-        format!("{} {span}", label(&run[0]))
+    let x = x_name(named);
+    let runs: Vec<&[Lead<'_>]> = leads.chunk_by(|a, b| a.best.series == b.best.series).collect();
+    let last = runs.len() - 1;
+    let run = |(index, run): (usize, &&[Lead<'_>])| {
+        let (first, end) = (&run[0], &run[run.len() - 1]);
+        let (from, to) = (&first.best.x, &end.best.x);
+        let span = match (index, from == to) {
+            (0, true) => format!("at {x} {from}"),
+            (_, true) => format!("at {from}"),
+            (0, false) => format!("from {x} {from} to {to}"),
+            (_, false) => format!("from {from} to {to}"),
+        };
+        let verb = if index == 0 { named.sense().best } else { "then" };
+        let name = named.figure.label(&first.best.series);
+        let lead = if index == last && index > 0 { end } else { first };
+        let margin = margin(named, lead);
+        match index {
+            0 => format!("{name} {verb} {span}{margin}"),
+            _ => format!("{verb} {name} {span}{margin}"),
+        }
     };
-    let told: Vec<String> = runs.iter().take(MOST).map(run).collect();
+    let told: Vec<String> = runs.iter().enumerate().take(MOST).map(run).collect();
     let more = match runs.len().saturating_sub(MOST) {
         0 => String::new(),
+        1 => ", and it changes once more".to_owned(),
         more => format!(", and it changes {more} more times"),
     };
-    format!("which one {best} changes with {x}: {}{more}", told.join(", "))
+    format!("{}{more}", told.join(", "))
 }
 
-/// How the values of one series change from left to right.
-fn growth(named: &Named<'_>, points: &[&Point], x: &str) -> String {
+/// ` (1.23; Wald 3.1 % slower)`, the value with its interval.
+fn margin(named: &Named<'_>, lead: &Lead<'_>) -> String {
+    let value = named.value(lead.best);
+    let Some(next) = lead.next else { return format!(" ({value})") };
+    let behind = named.sense().behind(lead.best.y, next.y);
+    let behind = if behind.is_empty() { named.value(next) } else { behind };
+    format!(
+        " ({value} at {}; {} {behind}{})",
+        lead.best.x,
+        named.figure.label(&next.series),
+        apart(lead.best, next)
+    )
+}
+
+/// How the values of one series change from left to right; `whole` says with which values.
+fn growth(named: &Named<'_>, points: &[&Point], whole: bool) -> String {
     let mut order = points.to_vec();
-    order.sort_by(|a, b| a.x_number().partial_cmp(&b.x_number()).unwrap_or(std::cmp::Ordering::Equal));
+    order.sort_by(|a, b| place(a).total_cmp(&place(b)));
     let (Some(first), Some(last)) = (order.first(), order.last()) else { return String::new() };
-    let name = named.figure.label(&first.series);
-    if order.len() == 1 {
+    let (name, x) = (named.figure.label(&first.series), x_name(named));
+    if first.x == last.x {
         return format!("{name} has {} at {x} {}", named.value(first), first.x);
     }
     let change = last.y / first.y - 1.0;
     let change = match change {
-        change if !change.is_finite() || first.y <= 0.0 => String::new(),
-        change if change >= 1.0 => format!(", {} times as much", short_figure(1.0 + change)),
-        change if change > 0.0 => format!(", {} more", percent(change)),
-        change => format!(", {} less", percent(-change)),
+        change if !change.is_finite() || first.y <= 0.0 => "changes".to_owned(),
+        change if change.abs() < 5e-5 => "stays the same".to_owned(),
+        change if change >= 1.0 => format!("grows to {} times", short_figure(1.0 + change)),
+        change if change > 0.0 => format!("grows by {}", percent(change)),
+        change => format!("falls by {}", percent(-change)),
     };
-    format!(
-        "{name} goes from {} at {x} {} to {} at {}{change}",
-        named.value(first),
-        first.x,
-        named.value(last),
-        last.x
-    )
+    let values = match whole {
+        true => format!(", from {} to {}", named.value(first), named.value(last)),
+        false => String::new(),
+    };
+    format!("from {x} {} to {} {name} {change}{values}", first.x, last.x)
 }
 
 fn x_name(named: &Named<'_>) -> String {
@@ -144,14 +148,17 @@ pub(super) fn furthest(named: &Named<'_>, ours: &[Point], published: &[Point]) -
             point.panel == theirs.panel && point.series == theirs.series && point.x == theirs.x
         };
         let mine = ours.iter().find(same)?;
-        let apart = (mine.y / theirs.y).ln().abs();
+        // Shares are compared by their difference: of rare codes, chance decides the quotient.
+        let shares = named.figure.kind == Kind::Shares;
+        let apart = if shares { mine.y - theirs.y } else { (mine.y / theirs.y).ln() }.abs();
         apart.is_finite().then_some((apart, mine, theirs))
     });
     let (_, mine, theirs) = twins.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let x = named.figure.x.list().join(", ").replace('_', " ");
     Some(format!(
-        "The published figure that is furthest from ours is that of {} at {}: {} there, {} here.",
+        "The published figure that is furthest from ours is that of {} at {x} {}: {} there, {} here.",
         named.figure.label(&mine.series),
-        named.figure.label(&mine.x),
+        mine.x,
         short_figure(theirs.y),
         named.value(mine)
     ))

@@ -1,6 +1,6 @@
 //! What points are called in a sentence.
 
-use crate::chart::{Figure, Point};
+use crate::chart::{Figure, Kind, Point};
 use crate::report::sense::{Sense, sense};
 use crate::report::words::{capital, with_interval};
 
@@ -31,8 +31,9 @@ impl Named<'_> {
     /// The sense of the values.
     pub fn sense(&self) -> Sense {
         let sense = sense(&self.figure.y);
-        // A quotient has no unit.
-        let unit = if self.figure.normalise_to.is_some() { "" } else { sense.unit };
+        // A quotient has no unit; of shares, only what stands below them is divided.
+        let divided = self.figure.normalise_to.is_some() && self.figure.kind != Kind::Shares;
+        let unit = if divided { "" } else { sense.unit };
         Sense { unit, ..sense }
     }
 
@@ -55,7 +56,10 @@ impl Named<'_> {
         let x = telling.x.then(|| self.figure.label(&point.x));
         let series = telling.series.then(|| self.figure.label(&point.series));
         let parts = x.into_iter().chain(series).filter(|part| !part.is_empty());
-        let name = parts.collect::<Vec<_>>().join(", ");
+        let mut parts: Vec<String> = parts.collect();
+        // Bars whose series is their category.
+        parts.dedup();
+        let name = parts.join(", ");
         if name.is_empty() { self.figure.label(&point.series) } else { name }
     }
 
