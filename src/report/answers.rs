@@ -40,6 +40,8 @@ const NEEDS: [Need; 7] = [
 pub(super) struct Answer {
     pub need: String,
     pub variant: String,
+    /// What else is to be said of it.
+    pub note: String,
     pub time: String,
     pub speed: String,
     pub error: String,

@@ -34,11 +34,11 @@ pub(super) struct Section {
 /// The parts, in their order: anchor, title, and which chapters stand there.
 type Belongs = fn(&Chapter) -> bool;
 const PARTS: [(&str, &str, Belongs); 5] = [
-    ("thesis-b", "Thesis B, table by table", |chapter| kind(chapter) == "thesis-b"),
-    ("thesis-h", "Thesis H, illustration by illustration", |chapter| kind(chapter) == "thesis-h"),
-    ("performance", "Our own: performance", |chapter| kind(chapter) == "performance"),
-    ("exactness", "Our own: exactness", |chapter| kind(chapter) == "exactness"),
-    ("stability", "Our own: stability", |chapter| kind(chapter) == "stability"),
+    ("part-thesis-b", "Thesis B, table by table", |chapter| kind(chapter) == "thesis-b"),
+    ("part-thesis-h", "Thesis H, illustration by illustration", |chapter| kind(chapter) == "thesis-h"),
+    ("part-performance", "Our own: performance", |chapter| kind(chapter) == "performance"),
+    ("part-exactness", "Our own: exactness", |chapter| kind(chapter) == "exactness"),
+    ("part-stability", "Our own: stability", |chapter| kind(chapter) == "stability"),
 ];
 
 /// Where a chapter stands: by what it mirrors, else by what its rows hold.

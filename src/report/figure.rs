@@ -1,7 +1,7 @@
 //! A figure in the report: picture, sentence, numbers.
 
 use super::numbers::{Table, table};
-use super::sentence::sentence;
+use super::sentence::sentences;
 use super::words::slug;
 use super::ReportError;
 use crate::chart::{ChartError, Figure, Kind, Published, draw, numbers, placeholder};
@@ -16,7 +16,8 @@ pub(super) struct Plate {
     pub subtitle: String,
     /// The picture without its titles; empty where the report links to the file.
     pub svg: String,
-    pub sentence: String,
+    /// What it shows, a sentence each.
+    pub says: Vec<String>,
     pub table: Table,
     /// Whether its colours may be inverted for a dark page: those of a field of colours may not.
     pub inverts: bool,
@@ -63,16 +64,16 @@ impl Plate {
         inside: bool,
     ) -> Result<Self, ReportError> {
         let svg = if inside { picture(figure, rows, published, number)? } else { String::new() };
-        let (sentence, table) = match numbers(figure, rows, published) {
-            Ok(numbers) => (sentence(figure, &numbers), table(figure, &numbers)),
-            Err(error) => (format!("Not drawn: {error}."), Table::default()),
+        let (says, table) = match numbers(figure, rows, published) {
+            Ok(numbers) => (sentences(figure, &numbers), table(figure, &numbers)),
+            Err(error) => (vec![format!("Not drawn: {error}.")], Table::default()),
         };
         Ok(Plate {
             file: figure.file.clone(),
             question: figure.question.clone(),
             subtitle: figure.subtitle.clone(),
             svg,
-            sentence,
+            says,
             table,
             inverts: figure.kind != Kind::Heat,
         })

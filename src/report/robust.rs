@@ -14,6 +14,8 @@ struct Failures {
     families: usize,
     /// Families that it was put to.
     of: usize,
+    /// Whether it was put to closed meshes.
+    meshes: bool,
     /// Decisions deep in the wrong, and answers that are no numbers, over all cases.
     wrong: u64,
 }
@@ -55,21 +57,25 @@ pub(super) fn answer(rows: &[&Row]) -> Option<Answer> {
     let runner_up = other.map_or(String::new(), |(kernel, failures)| {
         format!("{kernel}, which {}", said(failures))
     });
-    let need = format!("robustness, single rays in f32: {}", said(least));
+    let need = "robustness, single rays in f32".to_owned();
+    let note = said(least);
     let names = equal.join(", ");
     let answer = timed(&equal).map(|row| picked(row, rows));
-    Some(Answer { need, runner_up, ..answer.unwrap_or(Answer { variant: names, ..Answer::default() }) })
+    Some(Answer { need, note, runner_up, ..answer.unwrap_or(Answer { variant: names, ..Answer::default() }) })
 }
 
 fn said(failures: &Failures) -> String {
     let mut parts = Vec::new();
+    if failures.meshes && failures.leaks == 0.0 {
+        parts.push("no ray lost through closed meshes".to_owned());
+    }
     if failures.of > 0 {
         let families = count(failures.of, "family", "families");
         parts.push(format!("fails in {} of {families}", failures.families));
     }
     let leaks = crate::chart::short_figure(failures.leaks);
     match failures.leaks > 0.0 {
-        true => parts.push(format!("loses {leaks} rays in a million of each class of aims")),
+        true => parts.push(format!("loses {leaks} rays in a million")),
         false if failures.wrong > 0 => parts.push(format!("{} wrong decisions", failures.wrong)),
         false => {}
     }
@@ -101,6 +107,7 @@ fn of_sweep(rows: &[&Row]) -> Vec<(String, Failures)> {
                 failures.families += usize::from(row.knee.is_some());
             }
             "leaks" => {
+                failures.meshes = true;
                 failures.leaks += row.leaks_per_million.unwrap_or(0.0);
                 match classes.iter_mut().find(|(kernel, _)| *kernel == row.kernel) {
                     Some((_, count)) => *count += 1,

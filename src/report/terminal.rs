@@ -37,6 +37,9 @@ pub fn terminal(results: &Results, findings: &[Finding]) -> String {
 /// A need, the variant that answers it on a line of its own, to be copied, and its figures.
 fn answer(answer: &Answer) -> String {
     let mut figures = Vec::new();
+    if !answer.note.is_empty() {
+        figures.push(answer.note.clone());
+    }
     if !answer.time.is_empty() {
         figures.push(format!("{} ns per test", answer.time));
     }

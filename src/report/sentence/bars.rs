@@ -10,12 +10,12 @@ use crate::chart::short_figure;
 const PANELS: usize = 3;
 
 /// What bars show.
-pub(super) fn sentence(
+pub(super) fn sentences(
     named: &Named<'_>,
     ours: &[Point],
     published: &[Point],
     bounds: &[Point],
-) -> String {
+) -> Vec<String> {
     let columns = !named.figure.also.is_empty();
     let main: Vec<&Point> =
         ours.iter().filter(|point| !columns || point.series == named.figure.y).collect();
@@ -39,7 +39,7 @@ pub(super) fn sentence(
         parts.push(format!("None was seen in at least one place of: {}.", first_of(&names, 4)));
     }
     parts.extend(super::lines::furthest(named, ours, published));
-    parts.join(" ")
+    parts
 }
 
 /// The panels, in their order.

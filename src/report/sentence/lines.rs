@@ -9,7 +9,7 @@ use crate::report::words::{first_of, percent};
 const PANELS: usize = 3;
 
 /// What lines show.
-pub(super) fn sentence(named: &Named<'_>, ours: &[Point], published: &[Point]) -> String {
+pub(super) fn sentences(named: &Named<'_>, ours: &[Point], published: &[Point]) -> Vec<String> {
     let all: Vec<&Point> = ours.iter().filter(|point| point.x_number().is_some()).collect();
     let panels = panels(&all);
     let mut parts: Vec<String> = Vec::new();
@@ -19,7 +19,7 @@ pub(super) fn sentence(named: &Named<'_>, ours: &[Point], published: &[Point]) -
         parts.push(format!("{}{words}.", named.panel(panel, panels.len() > 1)));
     }
     parts.extend(furthest(named, ours, published));
-    parts.join(" ")
+    parts
 }
 
 /// The best and the next at an x that most series have a value at.

@@ -11,7 +11,7 @@ pub(super) fn shares(
     ours: &[Point],
     published: &[Point],
     below: &[Point],
-) -> String {
+) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
     let mut series: Vec<&String> = ours.iter().map(|point| &point.series).collect();
     series.dedup();
@@ -42,7 +42,7 @@ pub(super) fn shares(
         }
     }
     parts.extend(furthest(named, ours, published));
-    parts.join(" ")
+    parts
 }
 
 /// The least and the largest of several.
@@ -96,7 +96,7 @@ fn sums(named: &Named<'_>, counts: &[Count]) -> String {
 }
 
 /// Errors against times: what is on the steps, from the fastest to the most exact.
-pub(super) fn dots(named: &Named<'_>, dots: &[Dot]) -> String {
+pub(super) fn dots(named: &Named<'_>, dots: &[Dot]) -> Vec<String> {
     let mut keys: Vec<(&String, &String)> = Vec::new();
     for dot in dots {
         if !keys.contains(&(&dot.panel, &dot.precision)) {
@@ -131,5 +131,5 @@ pub(super) fn dots(named: &Named<'_>, dots: &[Dot]) -> String {
             count(others, "form is", "forms are")
         ));
     }
-    parts.join(" ")
+    parts
 }
