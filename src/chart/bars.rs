@@ -95,7 +95,8 @@ pub(super) fn values(
     let panels = select::distinct(&ours, |point| &point.panel);
     let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let base = figure.normalise_to.as_ref();
-    let first = base.map(|base| select::normalise_both(&mut ours, &mut theirs, base)).transpose()?;
+    let first =
+        base.map(|base| select::normalise_both(&mut ours, &mut theirs, base)).transpose()?;
     Ok((ours, theirs, first))
 }
 

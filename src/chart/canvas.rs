@@ -46,11 +46,28 @@ impl Type {
 }
 
 enum Mark {
-    Line { points: Vec<Place>, colour: RGBColor, width: f64 },
-    Area { points: Vec<Place>, colour: RGBColor, opacity: f64 },
+    Line {
+        points: Vec<Place>,
+        colour: RGBColor,
+        width: f64,
+    },
+    Area {
+        points: Vec<Place>,
+        colour: RGBColor,
+        opacity: f64,
+    },
     /// A circle, filled or, with a width, drawn round.
-    Round { at: Place, radius: f64, colour: RGBColor, width: Option<f64> },
-    Text { at: Place, text: String, style: Type },
+    Round {
+        at: Place,
+        radius: f64,
+        colour: RGBColor,
+        width: Option<f64>,
+    },
+    Text {
+        at: Place,
+        text: String,
+        style: Type,
+    },
 }
 
 /// plotters places everything on whole numbers; drawn ten times as large and scaled back, lines that

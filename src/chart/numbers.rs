@@ -32,7 +32,7 @@ pub enum Numbers {
     },
     /// `counts`.
     Counts(Vec<Count>),
-    /// `heat`.
+    /// `heat`, without the series that are not drawn.
     Fields(Vec<Field>),
     /// `precision`.
     Dots(Vec<Dot>),
@@ -131,6 +131,8 @@ fn counted(figure: &Figure, selection: &Selection<'_>, published: &Published) ->
 fn fields(figure: &Figure, selection: &Selection<'_>) -> Result<Vec<Field>, ChartError> {
     let shares = selection.points(figure, &figure.y)?;
     let shown = heat::shown(figure, selection, &shares)?;
+    let columns = select::distinct(&shares, |point| &point.x);
+    let (drawn, _) = heat::ordered(figure, &shares, columns.len());
     let field = |point: &Point| {
         let same = |other: &&Point| other.series == point.series && other.x == point.x;
         Field {
@@ -140,5 +142,5 @@ fn fields(figure: &Figure, selection: &Selection<'_>) -> Result<Vec<Field>, Char
             shown: shown.iter().find(same).map(|point| point.y),
         }
     };
-    Ok(shares.iter().map(field).collect())
+    Ok(shares.iter().filter(|point| drawn.contains(&point.series)).map(field).collect())
 }

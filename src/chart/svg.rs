@@ -2,7 +2,19 @@
 
 /// Attributes of plotters' elements that are lengths.
 const LENGTHS: [&str; 14] = [
-    "x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r", "width", "height", "points", "font-size",
+    "x",
+    "y",
+    "x1",
+    "y1",
+    "x2",
+    "y2",
+    "cx",
+    "cy",
+    "r",
+    "width",
+    "height",
+    "points",
+    "font-size",
     "stroke-width",
 ];
 
@@ -10,7 +22,8 @@ const LENGTHS: [&str; 14] = [
 const INHERITED: &str = "font-family";
 
 /// Attributes that say what holds without them.
-const DEFAULTS: [(&str, &str); 3] = [("opacity", "1"), ("stroke", "none"), ("text-anchor", "start")];
+const DEFAULTS: [(&str, &str); 3] =
+    [("opacity", "1"), ("stroke", "none"), ("text-anchor", "start")];
 
 /// Divides every length by `factor`, drops the fixed size (so that the picture scales; the viewBox
 /// stays), centres texts on their capitals, and says nothing twice: a figure is half as large then.

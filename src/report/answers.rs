@@ -57,8 +57,7 @@ pub(super) struct Answer {
 pub(super) fn answers(results: &Results, machine: Option<&str>) -> Vec<Answer> {
     let is_here = |row: &&Row| machine.is_none_or(|machine| row.machine == machine);
     let rows: Vec<&Row> = results.rows().filter(is_here).collect();
-    let mut answers: Vec<Answer> =
-        NEEDS.iter().filter_map(|need| answered(need, &rows)).collect();
+    let mut answers: Vec<Answer> = NEEDS.iter().filter_map(|need| answered(need, &rows)).collect();
     answers.extend(super::robust::answer(&rows));
     answers
 }
@@ -96,7 +95,7 @@ impl Need {
 /// boundary hits and without estimates or a known axis.
 fn serves(row: &Row) -> bool {
     row.status == "ok"
-        && row.ns_per_test.is_some()
+        && row.ns_per_test.is_some_and(|time| time > 0.0)
         && row.output == "tuv"
         && row.cull != "on"
         && row.tests_form != "sign-bits"
@@ -109,7 +108,7 @@ pub(super) fn picked(row: &Row, rows: &[&Row]) -> Answer {
     let interval = |ends: Option<(f64, f64)>| {
         ends.map_or(String::new(), |(low, high)| format!(" {}", super::words::between(low, high)))
     };
-    let times = row.ns_low.zip(row.ns_high);
+    let times = row.ns_low.zip(row.ns_high).filter(|(low, _)| *low > 0.0);
     let time = row.ns_per_test.unwrap_or_default();
     let speeds = times.map(|(low, high)| (1e3 / high, 1e3 / low));
     Answer {
@@ -168,7 +167,14 @@ fn cells<'a>(rows: &[&'a Row]) -> Vec<Cell<'a>> {
     for row in rows {
         let text = |column: &str| row.cell(column).map_or(String::new(), |cell| cell.to_string());
         let columns = [
-            "workload", "order", "density", "triangles", "rays", "query", "spread", "workload_hash",
+            "workload",
+            "order",
+            "density",
+            "triangles",
+            "rays",
+            "query",
+            "spread",
+            "workload_hash",
         ];
         let work = columns.map(text);
         let same = |cell: &&mut Cell| cell.work == work && cell.experiment == row.experiment;

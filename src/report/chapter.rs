@@ -35,7 +35,9 @@ pub(super) struct Section {
 type Belongs = fn(&Chapter) -> bool;
 const PARTS: [(&str, &str, Belongs); 5] = [
     ("part-thesis-b", "Thesis B, table by table", |chapter| kind(chapter) == "thesis-b"),
-    ("part-thesis-h", "Thesis H, illustration by illustration", |chapter| kind(chapter) == "thesis-h"),
+    ("part-thesis-h", "Thesis H, illustration by illustration", |chapter| {
+        kind(chapter) == "thesis-h"
+    }),
     ("part-performance", "Our own: performance", |chapter| kind(chapter) == "performance"),
     ("part-exactness", "Our own: exactness", |chapter| kind(chapter) == "exactness"),
     ("part-stability", "Our own: stability", |chapter| kind(chapter) == "stability"),

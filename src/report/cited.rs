@@ -9,7 +9,8 @@ use std::collections::BTreeSet;
 /// that measured; where no source says it, that of the program that writes.
 pub(super) fn line(results: &Results, machines: &[Machine]) -> Result<String, ReportError> {
     let of = |value: fn(&Machine) -> &String| {
-        let values: BTreeSet<&str> = machines.iter().map(|machine| value(machine).as_str()).collect();
+        let values: BTreeSet<&str> =
+            machines.iter().map(|machine| value(machine).as_str()).collect();
         values.into_iter().filter(|value| !value.is_empty()).collect::<Vec<_>>().join(" and ")
     };
     let seeds: BTreeSet<u64> = results.rows().filter_map(|row| row.seed).collect();

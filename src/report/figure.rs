@@ -1,9 +1,9 @@
 //! A figure in the report: picture, sentence, numbers.
 
+use super::ReportError;
 use super::numbers::{Table, table};
 use super::sentence::sentences;
 use super::words::slug;
-use super::ReportError;
 use crate::chart::{ChartError, Figure, Kind, Published, draw, numbers, placeholder};
 use crate::results::{Chapter, Results};
 use crate::table::Row;
@@ -30,10 +30,8 @@ pub fn drawings(results: &Results, chapter: &Chapter) -> Vec<(Figure, Vec<Row>)>
     let Ok(published) = Published::embedded() else { return Vec::new() };
     let mut drawings = Vec::new();
     for figure in &chapter.about.figures {
-        let clash = matches!(
-            numbers(figure, &chapter.rows, &published),
-            Err(ChartError::Ambiguous { .. })
-        );
+        let clash =
+            matches!(numbers(figure, &chapter.rows, &published), Err(ChartError::Ambiguous { .. }));
         if results.sources.len() < 2 || !clash {
             drawings.push((figure.clone(), chapter.rows.clone()));
             continue;

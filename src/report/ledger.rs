@@ -168,7 +168,8 @@ fn claim(results: &Results, group: &[&Finding]) -> Claim {
 fn headline(group: &[&Finding]) -> String {
     let of = |verdict: &Option<Verdict>| {
         let mine = group.iter().filter(|finding| Some(finding.verdict) == *verdict);
-        let conditions: Vec<String> = mine.clone().map(|finding| finding.condition.clone()).collect();
+        let conditions: Vec<String> =
+            mine.clone().map(|finding| finding.condition.clone()).collect();
         let words = words(*verdict);
         let named = conditions.iter().any(|condition| !condition.is_empty());
         match (mine.count(), named) {

@@ -14,7 +14,6 @@ pub(super) struct Machine {
     pub version: String,
     pub commit: String,
     pub date: String,
-    pub folders: String,
 }
 
 impl Machine {
@@ -51,7 +50,6 @@ impl Machine {
             version: text("/build/version"),
             commit: text("/build/commit"),
             date: text("/date"),
-            folders: source.folders.join(", "),
         }
     }
 }
@@ -80,7 +78,11 @@ fn words(environment: &Value, path: &str) -> String {
 
 fn counters(environment: &Value) -> String {
     let counters = words(environment, "/counters");
-    if counters.is_empty() { with("none: ", &text(environment, "/counters_reason"), "") } else { counters }
+    if counters.is_empty() {
+        with("none: ", &text(environment, "/counters_reason"), "")
+    } else {
+        counters
+    }
 }
 
 /// Sizes of the caches that hold data.

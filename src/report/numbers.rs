@@ -27,7 +27,9 @@ pub(super) struct Table {
 pub fn figure_csv(figure: &Figure, rows: &[Row]) -> Result<Vec<u8>, ReportError> {
     let table = match numbers(figure, rows, &Published::embedded()?) {
         Ok(numbers) => unrounded(figure, &numbers),
-        Err(ChartError::Nothing(_)) => Table { head: POINTS.map(str::to_owned).into(), ..Table::default() },
+        Err(ChartError::Nothing(_)) => {
+            Table { head: POINTS.map(str::to_owned).into(), ..Table::default() }
+        }
         Err(error) => return Err(error.into()),
     };
     let mut bytes = Vec::new();
@@ -75,8 +77,16 @@ fn unrounded(figure: &Figure, numbers: &Numbers) -> Table {
         Numbers::Dots(dots) => {
             return Table {
                 head: head(&[
-                    "panel", "series", "precision", "error", "error_low", "error_high", "value",
-                    "low", "high", "standing",
+                    "panel",
+                    "series",
+                    "precision",
+                    "error",
+                    "error_low",
+                    "error_high",
+                    "value",
+                    "low",
+                    "high",
+                    "standing",
                 ]),
                 rows: dots.iter().map(raw_dot).collect(),
             };
@@ -107,8 +117,7 @@ fn raw_field(field: &Field) -> Vec<String> {
 }
 
 fn raw_dot(dot: &Dot) -> Vec<String> {
-    let numbers =
-        [dot.error, dot.errors.0, dot.errors.1, dot.time, dot.times.0, dot.times.1];
+    let numbers = [dot.error, dot.errors.0, dot.errors.1, dot.time, dot.times.0, dot.times.1];
     let mut row = vec![dot.panel.clone(), dot.name.clone(), dot.precision.clone()];
     row.extend(numbers.map(|number| number.to_string()));
     row.push(standing(dot).to_owned());
@@ -131,7 +140,11 @@ pub(super) fn table(figure: &Figure, numbers: &Numbers) -> Table {
             let mut table = points(figure, &title, ours, published);
             table.rows.extend(bounds.iter().map(|bound| {
                 let mut cells = names(figure, bound);
-                cells.extend([format!("< {}", short_figure(bound.y)), String::new(), String::new()]);
+                cells.extend([
+                    format!("< {}", short_figure(bound.y)),
+                    String::new(),
+                    String::new(),
+                ]);
                 cells
             }));
             without_empty_columns(table)
@@ -139,12 +152,12 @@ pub(super) fn table(figure: &Figure, numbers: &Numbers) -> Table {
         Numbers::Shares { ours, published, ours_below, published_below } => {
             let mut table = points(figure, &title(&figure.y), ours, published);
             let below = figure.y_below.as_deref().unwrap_or_default();
-            table.rows.extend(points(figure, "", ours_below, published_below).rows.into_iter().map(
-                |mut row| {
+            table.rows.extend(
+                points(figure, "", ours_below, published_below).rows.into_iter().map(|mut row| {
                     row[1] = format!("{}: {}", title(below), row[1]);
                     row
-                },
-            ));
+                }),
+            );
             without_empty_columns(table)
         }
         Numbers::Counts(counts) => Table {

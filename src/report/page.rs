@@ -17,6 +17,8 @@ pub(super) struct Page {
     pub several: bool,
     /// Said first where there is nothing to report on.
     pub nothing: String,
+    /// Said first where answers are wrong.
+    pub wrong: String,
     pub answers: Vec<Answers>,
     pub ledger: Ledger,
     pub trust: Vec<Check>,
@@ -36,17 +38,14 @@ impl Page {
     ///
     /// # Errors
     /// The published figures cannot be read, or rows not be written.
-    pub fn new(
-        results: &Results,
-        findings: &[Finding],
-        inside: bool,
-    ) -> Result<Self, ReportError> {
+    pub fn new(results: &Results, findings: &[Finding], inside: bool) -> Result<Self, ReportError> {
         let machines: Vec<Machine> = results.sources.iter().map(Machine::of).collect();
         let several = machines.len() > 1;
         Ok(Page {
             cite: cited::line(results, &machines)?,
             several,
             nothing: nothing(results),
+            wrong: trust::wrong(results),
             answers: all_answers(results),
             ledger: Ledger::new(results, findings),
             trust: trust::checks(results),
@@ -59,6 +58,11 @@ impl Page {
     /// The program's name and version.
     pub fn generator(&self) -> &'static str {
         concat!("ray_test ", env!("CARGO_PKG_VERSION"))
+    }
+
+    /// For templates: whether a claim stands in the page, so that a link to it leads somewhere.
+    pub fn judged(&self, claim: &str) -> bool {
+        self.ledger.papers.iter().flat_map(|paper| &paper.claims).any(|other| other.id == claim)
     }
 
     /// For templates: a cell of a Markdown table.

@@ -48,20 +48,24 @@ pub(super) fn answer(rows: &[&Row]) -> Option<Answer> {
                 && row.drive.starts_with("single")
                 && row.output == "tuv"
                 && row.status == "ok"
-                && row.ns_per_test.is_some()
+                && row.ns_per_test.is_some_and(|time| time > 0.0)
         };
         let rows: Vec<&Row> = rows.iter().filter(usual).copied().collect();
         best_cell(&rows).and_then(|cell| fastest(cell.into_iter()))
     };
     let other = forms.iter().find(|(_, failures)| failures.key() != least.key());
-    let runner_up = other.map_or(String::new(), |(kernel, failures)| {
-        format!("{kernel}, which {}", said(failures))
-    });
+    let runner_up =
+        other.map_or(String::new(), |(kernel, failures)| format!("{kernel}: {}", said(failures)));
     let need = "robustness, single rays in f32".to_owned();
     let note = said(least);
     let names = equal.join(", ");
     let answer = timed(&equal).map(|row| picked(row, rows));
-    Some(Answer { need, note, runner_up, ..answer.unwrap_or(Answer { variant: names, ..Answer::default() }) })
+    Some(Answer {
+        need,
+        note,
+        runner_up,
+        ..answer.unwrap_or(Answer { variant: names, ..Answer::default() })
+    })
 }
 
 fn said(failures: &Failures) -> String {

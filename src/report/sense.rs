@@ -67,7 +67,15 @@ const TIMES: [(&str, &str); 9] = [
 
 /// Parts of the names of errors and failures.
 const ERRORS: [&str; 10] = [
-    "err_", "false_", "nan_", "bits_lost", "excess", "backward", "inexcusable", "leaks", "hits_of",
+    "err_",
+    "false_",
+    "nan_",
+    "bits_lost",
+    "excess",
+    "backward",
+    "inexcusable",
+    "leaks",
+    "hits_of",
     "metamorphic",
 ];
 
@@ -84,12 +92,9 @@ pub(super) fn sense(column: &str) -> Sense {
             times: "times as far",
             ..PLAIN
         },
-        "knee" | "knee_share" => Sense {
-            better: Better::More,
-            best: "holds longest",
-            worst: "fails first",
-            ..PLAIN
-        },
+        "knee" | "knee_share" => {
+            Sense { better: Better::More, best: "holds longest", worst: "fails first", ..PLAIN }
+        }
         "useful_lanes" | "attained_share" => Sense {
             better: Better::More,
             best: "is the highest",
@@ -98,12 +103,9 @@ pub(super) fn sense(column: &str) -> Sense {
             times: "times less",
             ..PLAIN
         },
-        "bytes_per_triangle" | "set_bytes" => Sense {
-            best: "needs the least",
-            worst: "needs the most",
-            unit: "bytes",
-            ..PLAIN
-        },
+        "bytes_per_triangle" | "set_bytes" => {
+            Sense { best: "needs the least", worst: "needs the most", unit: "bytes", ..PLAIN }
+        }
         "pays_from_rays" => {
             Sense { best: "pays soonest", worst: "pays latest", unit: "rays", ..PLAIN }
         }

@@ -26,7 +26,24 @@ pub(super) fn checks(results: &Results) -> Vec<Check> {
     checks.extend(statuses(&rows));
     checks.extend(skipped(&rows));
     checks.extend(incomplete(results));
+    // What is wrong is said before anything else.
+    checks.sort_by_key(|check| check.what != WRONG);
     checks
+}
+
+/// The check that there is only where a kernel gave a wrong answer.
+const WRONG: &str = "WRONG RESULTS";
+
+/// What the top of the page says of wrong answers; empty without any.
+pub(super) fn wrong(results: &Results) -> String {
+    let wrong = results.rows().filter(|row| row.status == "wrong-result").count();
+    match wrong {
+        0 => String::new(),
+        number => format!(
+            "{} a kernel that gave a wrong answer where it claims a right one.",
+            count(number, "row is of", "rows are of")
+        ),
+    }
 }
 
 /// Median and largest.
@@ -99,7 +116,7 @@ fn statuses(rows: &[&Row]) -> Vec<Check> {
         let wrong = status == "wrong-result";
         Check {
             what: match status {
-                "wrong-result" => "WRONG RESULTS",
+                "wrong-result" => WRONG,
                 "skipped" => "rows skipped",
                 "inexact" => "rows of kernels that are inexact by nature",
                 "invalid" => "rows that say nothing (invalid)",
@@ -112,7 +129,6 @@ fn statuses(rows: &[&Row]) -> Vec<Check> {
         }
     };
     let mut checks: Vec<Check> = counts.into_iter().map(check).collect();
-    checks.sort_by_key(|check| check.what != "WRONG RESULTS");
     let ok = rows.iter().filter(|row| ["", "ok"].contains(&row.status.as_str())).count();
     checks.insert(
         0,
@@ -154,18 +170,16 @@ fn incomplete(results: &Results) -> Option<Check> {
 
 /// One sentence of the most important of it.
 pub(super) fn sentence(results: &Results) -> String {
-    let wrong = results.rows().filter(|row| row.status == "wrong-result").count();
     let open = results.chapters.iter().filter(|chapter| !chapter.complete).count();
     let floors = results.rows().filter_map(|row| row.noise_floor).collect();
-    let floor = middle_and_worst(floors).map_or(
-        "Nothing was timed.".to_owned(),
-        |(middle, _)| {
-            format!("Half of the times are of groups that tell differences of {}.", percent(middle))
-        },
-    );
-    let wrong = match wrong {
-        0 => "No kernel gave a wrong answer where it claims a right one.".to_owned(),
-        number => format!("{} WRONG.", count(number, "row is", "rows are")),
+    let floor = middle_and_worst(floors).map_or("Nothing was timed.".to_owned(), |(middle, _)| {
+        format!("Half of the times are of groups that tell differences of {}.", percent(middle))
+    });
+    let wrong = match wrong(results) {
+        none if none.is_empty() => {
+            "No kernel gave a wrong answer where it claims a right one.".to_owned()
+        }
+        some => format!("WRONG: {some}"),
     };
     let open = match open {
         0 => String::new(),

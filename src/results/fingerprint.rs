@@ -34,10 +34,11 @@ mod tests {
             results.data_hash().unwrap()
         };
         assert_eq!(Results::default().data_hash().unwrap(), 0xcbf2_9ce4_8422_2325);
-        let by_hand = format!("{}\n", COLUMNS.join(",")).bytes().fold(
-            0xcbf2_9ce4_8422_2325_u64,
-            |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3),
-        );
+        let by_hand = format!("{}\n", COLUMNS.join(","))
+            .bytes()
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+                (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+            });
         assert_eq!(hash(Vec::new()), by_hand);
         assert_ne!(hash(vec![row("a"), row("b")]), hash(vec![row("b"), row("a")]));
         assert_ne!(hash(vec![row("a")]), hash(vec![row("b")]));

@@ -1,10 +1,10 @@
 //! Bars: the best, the next and the worst of each panel.
 
 use super::named::{Named, Telling, apart};
+use crate::chart::short_figure;
 use crate::chart::{Figure, Point};
 use crate::report::sense::Better;
 use crate::report::words::first_of;
-use crate::chart::short_figure;
 
 /// Panels told one by one; more are told by their best alone.
 const PANELS: usize = 3;

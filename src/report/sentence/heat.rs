@@ -7,8 +7,7 @@ use crate::report::words::{count, first_of};
 /// What a heat map shows.
 pub(super) fn sentence(named: &Named<'_>, fields: &[Field]) -> String {
     let apart = named.figure.apart.as_ref();
-    let fields: Vec<&Field> =
-        fields.iter().filter(|field| Some(&field.series) != apart).collect();
+    let fields: Vec<&Field> = fields.iter().filter(|field| Some(&field.series) != apart).collect();
     let fails = |field: &&&Field| field.share < 1.0;
     let mut series: Vec<(usize, String)> = Vec::new();
     for name in distinct(&fields, |field| &field.series) {

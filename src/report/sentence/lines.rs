@@ -14,7 +14,8 @@ pub(super) fn sentences(named: &Named<'_>, ours: &[Point], published: &[Point]) 
     let panels = panels(&all);
     let mut parts: Vec<String> = Vec::new();
     for panel in &panels {
-        let points: Vec<&Point> = all.iter().copied().filter(|point| point.panel == *panel).collect();
+        let points: Vec<&Point> =
+            all.iter().copied().filter(|point| point.panel == *panel).collect();
         let words = of_panel(named, &points, panels.len() <= PANELS);
         parts.push(format!("{}{words}.", named.panel(panel, panels.len() > 1)));
     }
@@ -130,10 +131,10 @@ fn growth(named: &Named<'_>, points: &[&Point], whole: bool) -> String {
         change => format!("falls by {}", percent(-change)),
     };
     let values = match whole {
-        true => format!(", from {} to {}", named.value(first), named.value(last)),
+        true => format!(": {} and {}", named.value(first), named.value(last)),
         false => String::new(),
     };
-    format!("from {x} {} to {} {name} {change}{values}", first.x, last.x)
+    format!("{name} {change} from {x} {} to {}{values}", first.x, last.x)
 }
 
 fn x_name(named: &Named<'_>) -> String {

@@ -19,9 +19,8 @@ pub(super) struct Telling {
 impl Telling {
     /// Of the points of a panel.
     pub fn among(points: &[&Point]) -> Self {
-        let differ = |name: fn(&Point) -> &String| {
-            points.iter().any(|point| name(point) != name(points[0]))
-        };
+        let differ =
+            |name: fn(&Point) -> &String| points.iter().any(|point| name(point) != name(points[0]));
         let (x, series) = (differ(|point| &point.x), differ(|point| &point.series));
         Telling { x: x || !series, series }
     }

@@ -119,10 +119,14 @@ pub(super) fn dots(named: &Named<'_>, dots: &[Dot]) -> Vec<String> {
             [] => continue,
             [only] => format!("{only} is both the fastest and the most exact"),
             [first, rest @ ..] => {
-                format!("from the fastest to the most exact, take {first}, then {}", rest.join(", then "))
+                format!(
+                    "from the fastest to the most exact, take {first}, then {}",
+                    rest.join(", then ")
+                )
             }
         };
-        let heading = if before == Some(panel) { String::new() } else { named.panel(panel, several) };
+        let heading =
+            if before == Some(panel) { String::new() } else { named.panel(panel, several) };
         before = Some(panel);
         let others = all.len() - steps.len();
         parts.push(format!(
