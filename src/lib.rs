@@ -124,6 +124,9 @@ pub mod claims;
 pub mod recommend;
 
 #[cfg(feature = "cli")]
+pub mod report;
+
+#[cfg(feature = "cli")]
 pub mod compare;
 
 #[cfg(feature = "cli")]

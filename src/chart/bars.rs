@@ -8,7 +8,7 @@ use super::figure::{Figure, Scale, Within};
 use super::frame::{Frame, MARGIN, SMALL, bound_note, heading, published_note, title};
 use super::palette::{FAINT, GREY, INK, style};
 use super::published::{Measure, Published};
-use super::select::{self, Point, Selection};
+use super::select::{self, Point, Selection, Values};
 use super::{ChartError, text};
 use crate::table::Row;
 
@@ -50,14 +50,11 @@ pub(super) fn draw(
     published: &Published,
 ) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
-    let mut ours = selection.points_of_all(figure)?;
+    let ((mut ours, mut theirs, relative_to), without_unit) =
+        values(figure, &selection, published)?;
     let panels = select::distinct(&ours, |point| &point.panel);
-    let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
-    let mut without_unit = 0;
-    if let Some(base) = &figure.normalise_to {
-        let relative_to;
-        (relative_to, without_unit) = normalise(figure, base, &mut ours, &mut theirs)?;
+    if let Some(relative_to) = relative_to {
         y_title = format!("{y_title}, relative to {relative_to}");
     }
     if figure.scale == Scale::Log {
@@ -88,24 +85,29 @@ pub(super) fn draw(
     drawn(figure, &plan, &y_title, &notes)
 }
 
-/// Divides ours and the published points; says by what, and how many had nothing to be divided by.
-fn normalise(
+/// Ours, the published ones, and by what they are divided, if they are; how many of them had nothing
+/// to be divided by.
+pub(super) fn values(
     figure: &Figure,
-    base: &str,
-    ours: &mut Vec<Point>,
-    theirs: &mut Vec<Point>,
-) -> Result<(String, usize), ChartError> {
+    selection: &Selection<'_>,
+    published: &Published,
+) -> Result<(Values, usize), ChartError> {
+    let mut ours = selection.points_of_all(figure)?;
+    let panels = select::distinct(&ours, |point| &point.panel);
+    let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
+    let Some(base) = &figure.normalise_to else { return Ok(((ours, theirs, None), 0)) };
     let name = figure.label(base);
     if figure.normalise == Within::Panel {
-        let first = select::normalise_both(ours, theirs, base)?;
-        return Ok((format!("{name} at {}", figure.label(&first)), 0));
+        let first = select::normalise_both(&mut ours, &mut theirs, base)?;
+        let relative_to = format!("{name} at {}", figure.label(&first));
+        return Ok(((ours, theirs, Some(relative_to)), 0));
     }
-    let mut left_out = select::normalise_within_x(theirs, base);
-    left_out += select::normalise_within_x(ours, base);
+    let mut left_out = select::normalise_within_x(&mut theirs, base);
+    left_out += select::normalise_within_x(&mut ours, base);
     if ours.is_empty() {
         return Err(ChartError::Nothing(format!("there is no value of {base} to divide by")));
     }
-    Ok((format!("{name} in the same group"), left_out))
+    Ok(((ours, theirs, Some(format!("{name} in the same group"))), left_out))
 }
 
 fn plan(

@@ -173,6 +173,10 @@ pub struct Figure {
     /// Value as stored to the words shown for it, for series, panels and categories.
     #[serde(default)]
     pub labels: BTreeMap<String, String>,
+    /// Whether question and subtitle stand in the page around the picture, and not in it. For
+    /// programs: no configuration sets it.
+    #[serde(skip)]
+    pub bare: bool,
 }
 
 fn kernel() -> Names {

@@ -10,8 +10,8 @@ use crate::table::{Cell, Row, interval};
 use std::collections::BTreeSet;
 
 /// One value to draw.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Point {
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Point {
     /// Which small multiple; empty if there is only one.
     pub panel: String,
     /// Which line or bar.
@@ -23,6 +23,9 @@ pub(super) struct Point {
     /// Its interval.
     pub interval: Option<(f64, f64)>,
 }
+
+/// Ours, the published ones, and the name of the x at which they are 1, where they are divided.
+pub(super) type Values = (Vec<Point>, Vec<Point>, Option<String>);
 
 impl Point {
     /// `x` as a number, if it is one.

@@ -77,6 +77,7 @@ pub(super) fn blank(file: String, kind: Kind, question: String) -> Figure {
         x_high: None,
         errors_from: BTreeMap::new(),
         labels: BTreeMap::new(),
+        bare: false,
     }
 }
 

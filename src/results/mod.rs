@@ -29,6 +29,8 @@ pub use load::{Describe, load};
 pub mod derived;
 mod mixture;
 
+mod fingerprint;
+
 use crate::chart::Figure;
 use crate::table::{Row, TableError};
 use serde_json::Value;
@@ -57,7 +59,7 @@ pub struct Source {
 }
 
 /// An experiment's rows, from all sources.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Chapter {
     /// What it asks, and what is drawn.
     pub about: About,

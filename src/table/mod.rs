@@ -20,7 +20,7 @@ mod row;
 #[cfg(test)]
 mod tests;
 
-pub use self::csv::{read_csv, write_csv};
+pub use self::csv::{csv_bytes, read_csv, write_csv};
 pub use cell::Cell;
 pub use clock::CLOCK_COLUMNS;
 pub use file::{remove_partial_files, write_atomically};

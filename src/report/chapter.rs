@@ -1,0 +1,127 @@
+//! An experiment in the report, and the parts that experiments stand in.
+
+use super::ReportError;
+use super::figure::{Plate, drawings};
+use super::words::count;
+use crate::chart::{Figure, Kind, Published};
+use crate::results::{Chapter, Results};
+
+/// Experiments of a kind.
+pub(super) struct Part {
+    pub anchor: &'static str,
+    pub title: &'static str,
+    pub sections: Vec<Section>,
+}
+
+/// An experiment.
+pub(super) struct Section {
+    pub id: String,
+    pub title: String,
+    pub mirrors: String,
+    pub question: String,
+    /// Paragraphs.
+    pub why: Vec<String>,
+    pub config: String,
+    pub command: String,
+    pub claims: Vec<String>,
+    /// What is to be said of its rows: how many, and what is missing.
+    pub rows: String,
+    pub plates: Vec<Plate>,
+    /// Figures that stand in files beside the report: file and question.
+    pub linked: Vec<(String, String)>,
+}
+
+/// The parts, in their order: anchor, title, and which chapters stand there.
+type Belongs = fn(&Chapter) -> bool;
+const PARTS: [(&str, &str, Belongs); 5] = [
+    ("part-thesis-b", "Thesis B, table by table", |chapter| kind(chapter) == "thesis-b"),
+    ("part-thesis-h", "Thesis H, illustration by illustration", |chapter| {
+        kind(chapter) == "thesis-h"
+    }),
+    ("part-performance", "Our own: performance", |chapter| kind(chapter) == "performance"),
+    ("part-exactness", "Our own: exactness", |chapter| kind(chapter) == "exactness"),
+    ("part-stability", "Our own: stability", |chapter| kind(chapter) == "stability"),
+];
+
+/// Where a chapter stands: by what it mirrors, else by what its rows hold.
+fn kind(chapter: &Chapter) -> &'static str {
+    let timed = chapter.rows.iter().any(|row| row.ns_per_test.is_some());
+    match chapter.about.mirrors.as_str() {
+        mirrors if mirrors.starts_with("thesis B") => "thesis-b",
+        mirrors if mirrors.starts_with("thesis H") => "thesis-h",
+        _ if timed || chapter.rows.is_empty() => "performance",
+        _ if chapter.rows.iter().any(|row| !row.record.is_empty()) => "stability",
+        _ => "exactness",
+    }
+}
+
+/// The parts that have chapters. `inside` says whether pictures are drawn into the page.
+pub(super) fn parts(results: &Results, inside: bool) -> Result<Vec<Part>, ReportError> {
+    let published = Published::embedded()?;
+    let mut number = 0;
+    let mut parts = Vec::new();
+    for (anchor, title, belongs) in PARTS {
+        let mut sections = Vec::new();
+        for chapter in results.chapters.iter().filter(|chapter| belongs(chapter)) {
+            sections.push(section(results, chapter, &published, &mut number, inside)?);
+        }
+        if !sections.is_empty() {
+            parts.push(Part { anchor, title, sections });
+        }
+    }
+    Ok(parts)
+}
+
+fn section(
+    results: &Results,
+    chapter: &Chapter,
+    published: &Published,
+    number: &mut usize,
+    inside: bool,
+) -> Result<Section, ReportError> {
+    let about = &chapter.about;
+    let swept = kind(chapter) == "stability";
+    let mut plates = Vec::new();
+    let mut linked = Vec::new();
+    for (figure, rows) in drawings(results, chapter) {
+        if swept && !is_summary(&figure) {
+            linked.push((figure.file, figure.question));
+            continue;
+        }
+        *number += 1;
+        plates.push(Plate::new(&figure, &rows, published, *number, inside)?);
+    }
+    let paragraphs = about.why.split("\n\n").map(str::trim).filter(|text| !text.is_empty());
+    Ok(Section {
+        id: about.id.clone(),
+        title: about.title.clone(),
+        mirrors: about.mirrors.clone(),
+        question: about.question.clone(),
+        why: paragraphs.map(|text| text.split_whitespace().collect::<Vec<_>>().join(" ")).collect(),
+        config: about.config.clone(),
+        command: about.command.clone(),
+        claims: about.claims.clone(),
+        rows: rows(chapter),
+        plates,
+        linked,
+    })
+}
+
+/// Knees and leaks sum a sweep up; a figure per family is too much for one page.
+fn is_summary(figure: &Figure) -> bool {
+    figure.kind == Kind::Heat || figure.kind == Kind::Bars
+}
+
+fn rows(chapter: &Chapter) -> String {
+    let of = |status: &str| chapter.rows.iter().filter(|row| row.status == status).count();
+    let mut words = count(chapter.rows.len(), "row", "rows");
+    for status in ["wrong-result", "skipped", "inexact", "invalid", "not-measured"] {
+        if of(status) > 0 {
+            words += &format!(", {} {status}", of(status));
+        }
+    }
+    if !chapter.complete {
+        words += "; NOT COMPLETE: the run was interrupted";
+    }
+    words
+}
