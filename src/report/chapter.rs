@@ -1,10 +1,10 @@
 //! An experiment in the report, and the parts that experiments stand in.
 
 use super::ReportError;
-use super::figure::{Plate, drawings};
+use super::figure::Plate;
 use super::words::count;
 use crate::chart::{Figure, Kind, Published};
-use crate::results::{Chapter, Results};
+use crate::results::{Chapter, Results, drawings};
 
 /// Experiments of a kind.
 pub(super) struct Part {
@@ -83,13 +83,14 @@ fn section(
     let swept = kind(chapter) == "stability";
     let mut plates = Vec::new();
     let mut linked = Vec::new();
-    for (figure, rows) in drawings(results, chapter) {
-        if swept && !is_summary(&figure) {
-            linked.push((figure.file, figure.question));
+    for drawing in drawings(chapter, &results.sources) {
+        let figure = &drawing.figure;
+        if swept && !is_summary(figure) {
+            linked.push((figure.file.clone(), figure.question.clone()));
             continue;
         }
         *number += 1;
-        plates.push(Plate::new(&figure, &rows, published, *number, inside)?);
+        plates.push(Plate::new(figure, drawing.rows, published, *number, inside)?);
     }
     let paragraphs = about.why.split("\n\n").map(str::trim).filter(|text| !text.is_empty());
     Ok(Section {

@@ -3,9 +3,7 @@
 use super::ReportError;
 use super::numbers::{Table, table};
 use super::sentence::sentences;
-use super::words::slug;
-use crate::chart::{ChartError, Figure, Kind, Published, draw, numbers, placeholder};
-use crate::results::{Chapter, Results};
+use crate::chart::{Figure, Kind, Published, draw, numbers, placeholder};
 use crate::table::Row;
 
 /// A figure of an experiment, ready to be shown.
@@ -21,34 +19,6 @@ pub(super) struct Plate {
     pub table: Table,
     /// Whether its colours may be inverted for a dark page: those of a field of colours may not.
     pub inverts: bool,
-}
-
-/// What is drawn of a chapter: each figure with the rows that it is drawn from. Where results of
-/// several machines claim the same places in a figure, there is one for each machine, its file and
-/// its subtitle named after it.
-pub fn drawings(results: &Results, chapter: &Chapter) -> Vec<(Figure, Vec<Row>)> {
-    let Ok(published) = Published::embedded() else { return Vec::new() };
-    let mut drawings = Vec::new();
-    for figure in &chapter.about.figures {
-        let clash =
-            matches!(numbers(figure, &chapter.rows, &published), Err(ChartError::Ambiguous { .. }));
-        if results.sources.len() < 2 || !clash {
-            drawings.push((figure.clone(), chapter.rows.clone()));
-            continue;
-        }
-        for source in &results.sources {
-            let is_its = |row: &&Row| row.machine == source.label;
-            let rows: Vec<Row> = chapter.rows.iter().filter(is_its).cloned().collect();
-            if rows.is_empty() {
-                continue;
-            }
-            let mut figure = figure.clone();
-            figure.file = format!("{}-{}", figure.file, slug(&source.label));
-            figure.subtitle = format!("{}. {}", source.label, figure.subtitle);
-            drawings.push((figure, rows));
-        }
-    }
-    drawings
 }
 
 impl Plate {

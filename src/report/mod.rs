@@ -24,7 +24,6 @@ mod tests;
 mod trust;
 mod words;
 
-pub use figure::drawings;
 pub use numbers::figure_csv;
 pub use terminal::terminal;
 

@@ -7,6 +7,7 @@ use super::ledger::Ledger;
 use super::machine::Machine;
 use super::trust::{self, Check};
 use super::{cited, words};
+use crate::chart::timeline;
 use crate::claims::Finding;
 use crate::results::Results;
 
@@ -23,6 +24,10 @@ pub(super) struct Page {
     pub ledger: Ledger,
     pub trust: Vec<Check>,
     pub trust_sentence: String,
+    /// Picture of the rounds; empty where there are none, or it stands in a file beside the report.
+    pub timeline: String,
+    /// Whether there are rounds to be shown.
+    pub has_timeline: bool,
     pub parts: Vec<Part>,
 }
 
@@ -41,6 +46,7 @@ impl Page {
     pub fn new(results: &Results, findings: &[Finding], inside: bool) -> Result<Self, ReportError> {
         let machines: Vec<Machine> = results.sources.iter().map(Machine::of).collect();
         let several = machines.len() > 1;
+        let has_timeline = !results.rounds.is_empty();
         Ok(Page {
             cite: cited::line(results, &machines)?,
             several,
@@ -50,6 +56,12 @@ impl Page {
             ledger: Ledger::new(results, findings),
             trust: trust::checks(results),
             trust_sentence: trust::sentence(results),
+            timeline: if inside && has_timeline {
+                timeline(&results.rounds)?
+            } else {
+                String::new()
+            },
+            has_timeline,
             parts: parts(results, inside)?,
             machines,
         })

@@ -75,7 +75,11 @@ fn source(label: &str) -> Source {
 }
 
 fn results(rows: Vec<Row>, figures: &[&str]) -> Results {
-    Results { sources: vec![source("Z80")], chapters: vec![chapter(rows, figures)] }
+    Results {
+        sources: vec![source("Z80")],
+        chapters: vec![chapter(rows, figures)],
+        ..Results::default()
+    }
 }
 
 fn finding(id: &str, condition: &str, verdict: Verdict, decides: bool) -> Finding {

@@ -56,13 +56,6 @@ pub(super) fn capital(words: &str) -> String {
     first.map_or(String::new(), |first| first + characters.as_str())
 }
 
-/// A name as part of an address: lower case, anything but letters and digits a hyphen.
-pub(super) fn slug(name: &str) -> String {
-    let kept = name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '.' { c } else { '-' });
-    let slug: String = kept.collect::<String>().to_lowercase();
-    slug.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
-}
-
 /// A cell of a Markdown table.
 pub(super) fn cell(text: &str) -> String {
     text.replace('\\', "\\\\").replace('|', "\\|").split_whitespace().collect::<Vec<_>>().join(" ")

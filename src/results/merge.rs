@@ -40,7 +40,7 @@ pub(super) fn merge(folders: Vec<Vec<Part>>, describe: Describe<'_>) -> Results 
         .enumerate()
         .flat_map(|(source, measured)| measured.parts.into_iter().map(move |part| (source, part)))
         .collect();
-    Results { chapters: chapters(parts, &sources, describe), sources }
+    Results { chapters: chapters(parts, &sources, describe), sources, rounds: Vec::new() }
 }
 
 /// The parts of a folder that were measured together: on one machine, with one build.

@@ -44,6 +44,7 @@ fn invented() -> Results {
     other.kernel = "badouel".into();
     densities.push(other);
     Results {
+        rounds: Vec::new(),
         sources: Vec::new(),
         chapters: vec![chapter_of(CODES, codes), chapter_of(DENSITIES, densities)],
     }

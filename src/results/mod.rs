@@ -32,7 +32,7 @@ mod mixture;
 mod fingerprint;
 
 use crate::chart::Figure;
-use crate::table::{Row, TableError};
+use crate::table::{Round, Row, TableError};
 use serde_json::Value;
 use std::io;
 use std::path::PathBuf;
@@ -44,6 +44,8 @@ pub struct Results {
     pub sources: Vec<Source>,
     /// Experiments, the theses' first.
     pub chapters: Vec<Chapter>,
+    /// Rounds of the one run that they are of, in the order of time; none of several.
+    pub rounds: Vec<Round>,
 }
 
 /// A machine and build that rows come from.

@@ -56,7 +56,7 @@ fn results(rows: Vec<Row>) -> Results {
         figures: Vec::new(),
     };
     let chapter = Chapter { about, rows, complete: true, workload_hash: String::new() };
-    Results { sources: Vec::new(), chapters: vec![chapter] }
+    Results { chapters: vec![chapter], ..Results::default() }
 }
 
 /// All variants of the rows: available, not watertight, without limits.

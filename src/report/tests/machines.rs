@@ -1,7 +1,7 @@
 //! Results of several machines.
 
 use super::*;
-use crate::report::figure::drawings;
+use crate::results::drawings;
 
 fn of(machine: &str, kernel: &str, ns: f64) -> Row {
     Row { machine: machine.into(), ..timed(kernel, ns) }
@@ -31,13 +31,13 @@ fn each_machine_has_its_answers_and_a_row() {
 #[test]
 fn a_figure_in_which_machines_clash_is_drawn_for_each() {
     let results = two();
-    let drawn = drawings(&results, &results.chapters[0]);
-    let files: Vec<&str> = drawn.iter().map(|(figure, _)| figure.file.as_str()).collect();
-    assert_eq!(files, ["times-z80", "times-6502", "both"]);
-    assert_eq!(drawn.iter().map(|(_, rows)| rows.len()).collect::<Vec<_>>(), [2, 2, 4]);
+    let drawn = drawings(&results.chapters[0], &results.sources);
+    let files: Vec<&str> = drawn.iter().map(|drawing| drawing.file.as_str()).collect();
+    assert_eq!(files, ["times--1", "times--2", "both"]);
+    assert_eq!(drawn.iter().map(|drawing| drawing.rows.len()).collect::<Vec<_>>(), [2, 2, 4]);
     let page = html(&results, &[]).unwrap();
-    assert!(page.contains("id=\"fig-times-6502\"") && !page.contains("several rows are for"));
+    assert!(page.contains("id=\"fig-times--2\"") && !page.contains("several rows are for"));
     // With one machine, the figure keeps its name.
     let one = super::results(vec![timed("a", 1.0)], &[TIMES]);
-    assert_eq!(drawings(&one, &one.chapters[0])[0].0.file, "times");
+    assert_eq!(drawings(&one.chapters[0], &one.sources)[0].file, "times");
 }
