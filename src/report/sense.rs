@@ -74,7 +74,6 @@ const ERRORS: [&str; 9] = [
     "excess",
     "backward",
     "inexcusable",
-    "leaks",
     "hits_of",
     "metamorphic",
 ];
