@@ -65,7 +65,7 @@
         });
     }
     for (const figure of all("figure")) {
-        if (!figure.querySelector("svg, img")) complaints.push(`figure without a picture: ${figure.id}`);
+        if (!figure.querySelector("svg, img, a[href$='.svg']")) complaints.push(`figure without a picture: ${figure.id}`);
         if (!figure.querySelector("figcaption p")?.textContent.trim()) complaints.push(`figure without a sentence: ${figure.id}`);
     }
     return {

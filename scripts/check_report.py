@@ -211,4 +211,5 @@ def main():
           f"{seen['verdicts']} verdicts; nothing fetched, nothing cut off, at {len(WIDTHS)} widths, light and dark")
 
 
-main()
+if __name__ == "__main__":
+    main()

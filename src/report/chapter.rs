@@ -5,6 +5,7 @@ use super::figure::Plate;
 use super::words::count;
 use crate::chart::{Figure, Kind, Published};
 use crate::results::{Chapter, Results, drawings};
+use crate::table::Row;
 
 /// Experiments of a kind.
 pub(super) struct Part {
@@ -58,12 +59,12 @@ fn kind(chapter: &Chapter) -> &'static str {
 /// The parts that have chapters. `inside` says whether pictures are drawn into the page.
 pub(super) fn parts(results: &Results, inside: bool) -> Result<Vec<Part>, ReportError> {
     let published = Published::embedded()?;
-    let mut number = 0;
+    let mut drawn = Drawn { inside, number: 0, bytes: 0 };
     let mut parts = Vec::new();
     for (anchor, title, belongs) in PARTS {
         let mut sections = Vec::new();
         for chapter in results.chapters.iter().filter(|chapter| belongs(chapter)) {
-            sections.push(section(results, chapter, &published, &mut number, inside)?);
+            sections.push(section(results, chapter, &published, &mut drawn)?);
         }
         if !sections.is_empty() {
             parts.push(Part { anchor, title, sections });
@@ -72,12 +73,38 @@ pub(super) fn parts(results: &Results, inside: bool) -> Result<Vec<Part>, Report
     Ok(parts)
 }
 
+/// What was drawn into the page so far.
+struct Drawn {
+    inside: bool,
+    number: usize,
+    bytes: usize,
+}
+
+impl Drawn {
+    /// A figure; its picture is left to the file beside the page where the pictures before it have
+    /// used up the room.
+    fn plate(
+        &mut self,
+        figure: &Figure,
+        rows: &[Row],
+        published: &Published,
+    ) -> Result<Plate, ReportError> {
+        self.number += 1;
+        let inside = self.inside && self.bytes < PICTURES;
+        let plate = Plate::new(figure, rows, published, self.number, inside)?;
+        self.bytes += plate.svg.len();
+        Ok(plate)
+    }
+}
+
+/// Bytes that pictures may take of a page of 5 MB; numbers and words take a third of that.
+const PICTURES: usize = 3_500_000;
+
 fn section(
     results: &Results,
     chapter: &Chapter,
     published: &Published,
-    number: &mut usize,
-    inside: bool,
+    drawn: &mut Drawn,
 ) -> Result<Section, ReportError> {
     let about = &chapter.about;
     let swept = kind(chapter) == "stability";
@@ -89,8 +116,7 @@ fn section(
             linked.push((figure.file.clone(), figure.question.clone()));
             continue;
         }
-        *number += 1;
-        plates.push(Plate::new(figure, drawing.rows, published, *number, inside)?);
+        plates.push(drawn.plate(figure, drawing.rows, published)?);
     }
     let paragraphs = about.why.split("\n\n").map(str::trim).filter(|text| !text.is_empty());
     Ok(Section {

@@ -66,7 +66,7 @@ const TIMES: [(&str, &str); 9] = [
 ];
 
 /// Parts of the names of errors and failures.
-const ERRORS: [&str; 10] = [
+const ERRORS: [&str; 9] = [
     "err_",
     "false_",
     "nan_",
@@ -74,7 +74,6 @@ const ERRORS: [&str; 10] = [
     "excess",
     "backward",
     "inexcusable",
-    "leaks",
     "hits_of",
     "metamorphic",
 ];
@@ -121,6 +120,15 @@ pub(super) fn sense(column: &str) -> Sense {
     if fixed != PLAIN {
         return fixed;
     }
+    if column.contains("leaks") || column.contains("double_hits") {
+        return Sense {
+            best: "is right most often",
+            worst: "is wrong most often",
+            times: "times as often",
+            unit: if column.ends_with("per_million") { "in a million" } else { "" },
+            ..PLAIN
+        };
+    }
     if ERRORS.iter().any(|part| column.contains(part)) {
         return ERROR;
     }
@@ -162,7 +170,7 @@ mod tests {
             ("latency_ns_per_test", Better::Less, "is the fastest"),
             ("mtests_per_s", Better::More, "is the fastest"),
             ("err_t_max_ulp", Better::Less, "errs least"),
-            ("leaks_per_million", Better::Less, "errs least"),
+            ("leaks_per_million", Better::Less, "is right most often"),
             ("bound_fraction", Better::More, "comes closest to the limit"),
             ("share", Better::Neither, "is the highest"),
             ("ops_add", Better::Less, "is the lowest"),

@@ -4,18 +4,12 @@ use super::named::{Named, Telling, apart};
 use crate::chart::short_figure;
 use crate::chart::{Figure, Point};
 use crate::report::sense::Better;
-use crate::report::words::first_of;
 
 /// Panels told one by one; more are told by their best alone.
 const PANELS: usize = 3;
 
 /// What bars show.
-pub(super) fn sentences(
-    named: &Named<'_>,
-    ours: &[Point],
-    published: &[Point],
-    bounds: &[Point],
-) -> Vec<String> {
+pub(super) fn sentences(named: &Named<'_>, ours: &[Point], published: &[Point]) -> Vec<String> {
     let columns = !named.figure.also.is_empty();
     let main: Vec<&Point> =
         ours.iter().filter(|point| !columns || point.series == named.figure.y).collect();
@@ -30,13 +24,6 @@ pub(super) fn sentences(
     }
     if columns {
         parts.extend(beside(named.figure, ours));
-    }
-    if !bounds.is_empty() {
-        let names = bounds.iter().map(|point| named.figure.label(&point.x));
-        let mut names: Vec<String> = names.collect();
-        names.sort();
-        names.dedup();
-        parts.push(format!("None was seen in at least one place of: {}.", first_of(&names, 4)));
     }
     parts.extend(super::lines::furthest(named, ours, published));
     parts

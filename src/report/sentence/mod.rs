@@ -14,13 +14,10 @@ use named::Named;
 pub(super) fn sentences(figure: &Figure, numbers: &Numbers) -> Vec<String> {
     let named = Named { figure };
     let mut parts = match numbers {
-        Numbers::Points { ours, published, bounds } if figure.kind == Kind::Lines => {
-            debug_assert!(bounds.is_empty(), "only bars have bounds");
+        Numbers::Points { ours, published, .. } if figure.kind == Kind::Lines => {
             lines::sentences(&named, ours, published)
         }
-        Numbers::Points { ours, published, bounds } => {
-            bars::sentences(&named, ours, published, bounds)
-        }
+        Numbers::Points { ours, published, .. } => bars::sentences(&named, ours, published),
         Numbers::Shares { ours, published, ours_below, .. } => {
             others::shares(&named, ours, published, ours_below)
         }
