@@ -163,3 +163,39 @@ pub(super) fn described(drawn: &str, file: &str, title: &str, description: &str)
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DRAWN: &str = concat!(
+        "<svg width=\"100\" height=\"50\" viewBox=\"0 0 100 50\" xmlns=\"x\">\n",
+        "<polyline fill=\"none\" opacity=\"1\" stroke=\"#111111\" stroke-width=\"10\" points=\"0,10 40,10 \"/>\n",
+        "<polyline fill=\"none\" opacity=\"1\" stroke=\"#111111\" stroke-width=\"10\" points=\"70,10 110,10 \"/>\n",
+        "<polyline fill=\"none\" opacity=\"1\" stroke=\"#222222\" stroke-width=\"10\" points=\"0,5 3,5 \"/>\n",
+        "<polyline fill=\"none\" opacity=\"0.5\" stroke=\"#222222\" stroke-width=\"10\" points=\"0,5 3,5 \"/>\n",
+        "<polyline fill=\"none\" opacity=\"0.5\" stroke=\"#222222\" stroke-width=\"10\" points=\"3,5 4,5 \"/>\n",
+        "<circle cx=\"15\" cy=\"20\" r=\"35\" opacity=\"1\" fill=\"#333333\" stroke=\"none\" stroke-width=\"1\"/>\n",
+        "<text x=\"5\" y=\"5\" dy=\"0.76em\" text-anchor=\"start\" font-family=\"A, B\" font-size=\"120\" ",
+        "opacity=\"1\" fill=\"#444444\">\na &lt; b\n</text>\n",
+        "<text x=\"5\" y=\"9\" dy=\"0.76em\" text-anchor=\"end\" font-family=\"A, B\" font-size=\"120\" ",
+        "opacity=\"1\" fill=\"#444444\">\nc\n</text>\n</svg>\n",
+    );
+
+    /// Lines of one look become a path, unless they are not opaque; what goes without saying goes.
+    #[test]
+    fn a_picture_says_nothing_twice_and_looks_the_same() {
+        let lines = [
+            "<svg font-family=\"A, B\" viewBox=\"0 0 10 5\" xmlns=\"x\">",
+            "<path fill=\"none\" stroke=\"#111111\" stroke-width=\"1\" d=\"M0,1 4,1M7,1 11,1\"/>",
+            "<polyline fill=\"none\" stroke=\"#222222\" stroke-width=\"1\" points=\"0,0.5 0.3,0.5\"/>",
+            "<polyline fill=\"none\" opacity=\"0.5\" stroke=\"#222222\" stroke-width=\"1\" points=\"0,0.5 0.3,0.5\"/>",
+            "<polyline fill=\"none\" opacity=\"0.5\" stroke=\"#222222\" stroke-width=\"1\" points=\"0.3,0.5 0.4,0.5\"/>",
+            "<circle cx=\"1.5\" cy=\"2\" r=\"3.5\" fill=\"#333333\"/>",
+            "<text x=\"0.5\" y=\"0.5\" dy=\"0.35em\" font-size=\"12\" fill=\"#444444\">a &lt; b</text>",
+            "<text x=\"0.5\" y=\"0.9\" dy=\"0.35em\" text-anchor=\"end\" font-size=\"12\" fill=\"#444444\">c</text>",
+            "</svg>",
+        ];
+        assert_eq!(scaled(DRAWN, 10.0).trim().lines().collect::<Vec<_>>(), lines);
+    }
+}

@@ -81,8 +81,8 @@ struct Drawn {
 }
 
 impl Drawn {
-    /// A figure; its picture is left to the file beside the page where the pictures before it have
-    /// used up the room.
+    /// A figure; its picture and its table are left to the files beside the page where the pictures
+    /// before it have used up the room.
     fn plate(
         &mut self,
         figure: &Figure,
@@ -91,14 +91,17 @@ impl Drawn {
     ) -> Result<Plate, ReportError> {
         self.number += 1;
         let inside = self.inside && self.bytes < PICTURES;
-        let plate = Plate::new(figure, rows, published, self.number, inside)?;
+        let mut plate = Plate::new(figure, rows, published, self.number, inside)?;
+        if self.inside && !inside {
+            plate.table = Default::default();
+        }
         self.bytes += plate.svg.len();
         Ok(plate)
     }
 }
 
 /// Bytes that pictures may take of a page of 5 MB; numbers and words take a third of that.
-const PICTURES: usize = 3_500_000;
+const PICTURES: usize = 3_300_000;
 
 fn section(
     results: &Results,

@@ -78,58 +78,63 @@ const ERRORS: [&str; 9] = [
     "metamorphic",
 ];
 
+const RISING: Sense = Sense {
+    better: Better::More,
+    best: "is the highest",
+    worst: "is the lowest",
+    more: "less",
+    times: "times less",
+    unit: "",
+};
+
+const NEITHER: Sense = Sense { better: Better::Neither, ..RISING };
+
+/// Columns that are spoken of in words of their own.
+const NAMED: [(&str, Sense); 10] = [
+    ("mtests_per_s", Sense { better: Better::More, unit: "M tests/s", ..TIME }),
+    ("percent_slower", Sense { unit: "%", ..TIME }),
+    ("bound_fraction", LIMIT),
+    ("knee", KNEE),
+    ("knee_share", KNEE),
+    ("useful_lanes", RISING),
+    ("attained_share", RISING),
+    ("pays_from_rays", Sense { best: "pays soonest", worst: "pays latest", unit: "rays", ..PLAIN }),
+    ("share", Sense { unit: "%", ..NEITHER }),
+    ("price", NEITHER),
+];
+
+const LIMIT: Sense = Sense {
+    best: "comes closest to the limit",
+    worst: "stays farthest from it",
+    more: "farther",
+    times: "times as far",
+    ..RISING
+};
+
+const KNEE: Sense = Sense { best: "holds longest", worst: "fails first", ..RISING };
+
+const LEAKS: Sense = Sense {
+    best: "is right most often",
+    worst: "is wrong most often",
+    times: "times as often",
+    ..PLAIN
+};
+
 /// The sense of a column.
 pub(super) fn sense(column: &str) -> Sense {
-    let fixed = match column {
-        "mtests_per_s" => Sense { better: Better::More, unit: "M tests/s", ..TIME },
-        "percent_slower" => Sense { unit: "%", ..TIME },
-        "bound_fraction" => Sense {
-            better: Better::More,
-            best: "comes closest to the limit",
-            worst: "stays farthest from it",
-            more: "farther",
-            times: "times as far",
-            ..PLAIN
-        },
-        "knee" | "knee_share" => {
-            Sense { better: Better::More, best: "holds longest", worst: "fails first", ..PLAIN }
-        }
-        "useful_lanes" | "attained_share" => Sense {
-            better: Better::More,
-            best: "is the highest",
-            worst: "is the lowest",
-            more: "less",
-            times: "times less",
-            ..PLAIN
-        },
-        "bytes_per_triangle" | "set_bytes" => {
-            Sense { best: "needs the least", worst: "needs the most", unit: "bytes", ..PLAIN }
-        }
-        "pays_from_rays" => {
-            Sense { best: "pays soonest", worst: "pays latest", unit: "rays", ..PLAIN }
-        }
-        "share" | "price" => Sense {
-            better: Better::Neither,
-            best: "is the highest",
-            worst: "is the lowest",
-            unit: if column == "share" { "%" } else { "" },
-            ..PLAIN
-        },
-        _ => PLAIN,
-    };
-    if fixed != PLAIN {
-        return fixed;
+    let has = |parts: &[&str]| parts.iter().any(|part| column.contains(part));
+    if let Some((_, sense)) = NAMED.iter().find(|(name, _)| *name == column) {
+        return *sense;
     }
-    if column.contains("leaks") || column.contains("double_hits") {
-        return Sense {
-            best: "is right most often",
-            worst: "is wrong most often",
-            times: "times as often",
-            unit: if column.ends_with("per_million") { "in a million" } else { "" },
-            ..PLAIN
-        };
+    if has(&["leaks", "double_hits"]) {
+        let unit = if column.ends_with("per_million") { "in a million" } else { "" };
+        return Sense { unit, ..LEAKS };
     }
-    if ERRORS.iter().any(|part| column.contains(part)) {
+    if has(&["bytes"]) {
+        let (best, worst) = ("needs the least", "needs the most");
+        return Sense { best, worst, unit: "bytes", ..PLAIN };
+    }
+    if has(&ERRORS) {
         return ERROR;
     }
     let time = TIMES.iter().find(|(end, _)| column.ends_with(end));

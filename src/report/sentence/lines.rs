@@ -3,7 +3,7 @@
 use super::bars::panels;
 use super::named::{Named, apart};
 use crate::chart::{Kind, Point, short_figure};
-use crate::report::words::{first_of, percent};
+use crate::report::words::percent;
 
 /// Panels told one by one with all that there is to say.
 const PANELS: usize = 3;
@@ -57,7 +57,11 @@ fn of_panel(named: &Named<'_>, points: &[&Point], whole: bool) -> String {
     let leads = if series.len() > 1 { leads(named, points, series.len()) } else { Vec::new() };
     if leads.is_empty() {
         let told: Vec<String> = series.iter().map(|name| growth(named, &of(name), true)).collect();
-        return first_of(&told, TOLD);
+        let more = match told.len().saturating_sub(TOLD) {
+            0 => String::new(),
+            more => format!("; {more} more"),
+        };
+        return format!("{}{more}", told[..told.len().min(TOLD)].join("; "));
     }
     let words = runs(named, &leads);
     if !whole {

@@ -95,14 +95,20 @@ fn sums(named: &Named<'_>, counts: &[Count]) -> String {
     }
 }
 
-/// Errors against times: what is on the steps, from the fastest to the most exact.
-pub(super) fn dots(named: &Named<'_>, dots: &[Dot]) -> Vec<String> {
+/// Panels and precisions, in their order.
+fn keys(dots: &[Dot]) -> Vec<(&String, &String)> {
     let mut keys: Vec<(&String, &String)> = Vec::new();
     for dot in dots {
         if !keys.contains(&(&dot.panel, &dot.precision)) {
             keys.push((&dot.panel, &dot.precision));
         }
     }
+    keys
+}
+
+/// Errors against times: what is on the steps, from the fastest to the most exact.
+pub(super) fn dots(named: &Named<'_>, dots: &[Dot]) -> Vec<String> {
+    let keys = keys(dots);
     let several = keys.iter().any(|(panel, _)| *panel != keys[0].0);
     let mut before: Option<&String> = None;
     let mut parts: Vec<String> = Vec::new();

@@ -1,139 +1,13 @@
-//! A figure's numbers: as a table to read, best first, and as CSV, unrounded.
+//! A figure's numbers as a table to read.
 
-use super::ReportError;
-use super::sense::sense;
-use super::words::between;
-use crate::chart::{
-    ChartError, Count, Dot, Field, Figure, Numbers, Point, Published, Standing, numbers,
-    short_figure, title,
-};
-use crate::table::Row;
-
-/// Cells under a header.
-#[derive(Default)]
-pub(super) struct Table {
-    pub head: Vec<String>,
-    pub rows: Vec<Vec<String>>,
-}
-
-/// A figure's numbers as CSV, in the order of its rows and unrounded. Columns of `lines`, `bars` and
-/// `shares`: `panel,series,x,column,value,low,high,kind`, kind being `measured`, `published` or
-/// `bound`; of `counts`: `series,operation,counted,published`; of `heat`: `series,x,value,shown`; of
-/// `precision`: `panel,series,precision,error,error_low,error_high,value,low,high,standing`. Only the
-/// header where there is nothing to draw.
-///
-/// # Errors
-/// As [`draw`](crate::chart::draw).
-pub fn figure_csv(figure: &Figure, rows: &[Row]) -> Result<Vec<u8>, ReportError> {
-    let table = match numbers(figure, rows, &Published::embedded()?) {
-        Ok(numbers) => unrounded(figure, &numbers),
-        Err(ChartError::Nothing(_)) => {
-            Table { head: POINTS.map(str::to_owned).into(), ..Table::default() }
-        }
-        Err(error) => return Err(error.into()),
-    };
-    let mut bytes = Vec::new();
-    let mut writer = csv::Writer::from_writer(&mut bytes);
-    writer.write_record(&table.head)?;
-    table.rows.iter().try_for_each(|row| writer.write_record(row))?;
-    writer.flush().map_err(csv::Error::from)?;
-    drop(writer);
-    Ok(bytes)
-}
-
-const POINTS: [&str; 8] = ["panel", "series", "x", "column", "value", "low", "high", "kind"];
-
-fn unrounded(figure: &Figure, numbers: &Numbers) -> Table {
-    let head = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
-    let mut rows: Vec<Vec<String>> = Vec::new();
-    let mut points = |points: &[Point], column: &str, kind: &str| {
-        rows.extend(points.iter().map(|point| raw(point, column, kind)));
-    };
-    match numbers {
-        Numbers::Points { ours, published, bounds } => {
-            points(ours, &figure.y, "measured");
-            points(published, &figure.y, "published");
-            points(bounds, figure.bound.as_deref().unwrap_or_default(), "bound");
-        }
-        Numbers::Shares { ours, published, ours_below, published_below } => {
-            let below = figure.y_below.as_deref().unwrap_or_default();
-            points(ours, &figure.y, "measured");
-            points(published, &figure.y, "published");
-            points(ours_below, below, "measured");
-            points(published_below, below, "published");
-        }
-        Numbers::Counts(counts) => {
-            return Table {
-                head: head(&["series", "operation", "counted", "published"]),
-                rows: counts.iter().map(raw_count).collect(),
-            };
-        }
-        Numbers::Fields(fields) => {
-            return Table {
-                head: head(&["series", "x", "value", "shown"]),
-                rows: fields.iter().map(raw_field).collect(),
-            };
-        }
-        Numbers::Dots(dots) => {
-            return Table {
-                head: head(&[
-                    "panel",
-                    "series",
-                    "precision",
-                    "error",
-                    "error_low",
-                    "error_high",
-                    "value",
-                    "low",
-                    "high",
-                    "standing",
-                ]),
-                rows: dots.iter().map(raw_dot).collect(),
-            };
-        }
-    }
-    Table { head: head(&POINTS), rows }
-}
-
-fn raw(point: &Point, column: &str, kind: &str) -> Vec<String> {
-    let end = |end: Option<f64>| end.map_or(String::new(), |end| end.to_string());
-    let names = [&point.panel, &point.series, &point.x].map(String::clone);
-    let mut row: Vec<String> = names.into();
-    row.extend([column.to_owned(), point.y.to_string()]);
-    row.extend([end(point.interval.map(|ends| ends.0)), end(point.interval.map(|ends| ends.1))]);
-    row.push(kind.to_owned());
-    row
-}
-
-fn raw_count(count: &Count) -> Vec<String> {
-    let ours = count.ours.map_or(String::new(), |ours| ours.to_string());
-    let theirs = count.published.map_or(String::new(), |theirs| theirs.to_string());
-    vec![count.series.clone(), count.operation.to_owned(), ours, theirs]
-}
-
-fn raw_field(field: &Field) -> Vec<String> {
-    let shown = field.shown.map_or(String::new(), |shown| shown.to_string());
-    vec![field.series.clone(), field.x.clone(), field.share.to_string(), shown]
-}
-
-fn raw_dot(dot: &Dot) -> Vec<String> {
-    let numbers = [dot.error, dot.errors.0, dot.errors.1, dot.time, dot.times.0, dot.times.1];
-    let mut row = vec![dot.panel.clone(), dot.name.clone(), dot.precision.clone()];
-    row.extend(numbers.map(|number| number.to_string()));
-    row.push(standing(dot).to_owned());
-    row
-}
-
-fn standing(dot: &Dot) -> &'static str {
-    match dot.standing {
-        Standing::Front => "front",
-        Standing::Dominated => "dominated",
-        Standing::Apart(_) => "set apart",
-    }
-}
+use super::dump::raw_count;
+use super::{Table, standing};
+use crate::chart::{Dot, Field, Figure, Numbers, Point, short_figure, title};
+use crate::report::sense::sense;
+use crate::report::words::between;
 
 /// The table that is read, the best first.
-pub(super) fn table(figure: &Figure, numbers: &Numbers) -> Table {
+pub(in crate::report) fn table(figure: &Figure, numbers: &Numbers) -> Table {
     match numbers {
         Numbers::Points { ours, published, bounds } => {
             let title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
@@ -184,9 +58,6 @@ fn points(figure: &Figure, title: &str, ours: &[Point], published: &[Point]) -> 
     let panel = |point: &Point| panels.iter().position(|panel| **panel == point.panel);
     let mut order: Vec<&Point> = ours.iter().collect();
     order.sort_by(|a, b| panel(a).cmp(&panel(b)).then(sense.order(a.y, b.y)));
-    let same = |one: &Point, other: &Point| {
-        (&one.panel, &one.series, &one.x) == (&other.panel, &other.series, &other.x)
-    };
     let row = |point: &&Point| {
         let theirs = published.iter().find(|theirs| same(theirs, point));
         let mut cells = names(figure, point);
@@ -202,18 +73,25 @@ fn points(figure: &Figure, title: &str, ours: &[Point], published: &[Point]) -> 
         cells.extend([String::new(), String::new(), short_figure(theirs.y)]);
         cells
     }));
+    Table { head: head(figure, title), rows }
+}
+
+fn same(one: &Point, other: &Point) -> bool {
+    (&one.panel, &one.series, &one.x) == (&other.panel, &other.series, &other.x)
+}
+
+fn head(figure: &Figure, title: &str) -> Vec<String> {
     let plain = |words: &str| words.replace('_', " ");
     let joined = |names: &[String]| plain(&names.join(", "));
     let x = figure.x.list();
-    let head = vec![
+    vec![
         figure.panels.as_deref().map_or("figure".to_owned(), plain),
         if x.is_empty() { "x".to_owned() } else { joined(x) },
         joined(figure.series.list()),
         title.to_owned(),
         "interval".to_owned(),
         "published".to_owned(),
-    ];
-    Table { head, rows }
+    ]
 }
 
 /// Columns in which nothing stands, and a series that the category repeats, say nothing.
