@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 42] = [
+const IDS: [&str; 43] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -39,6 +39,7 @@ const IDS: [&str; 42] = [
     "layouts",
     "limit",
     "memory",
+    "outputs",
     "packets",
     "padding",
     "parallel",
