@@ -22,5 +22,7 @@ pub use pairs::{PairSpec, Pairs, QueryKind, Winding};
 pub use points::{PointSet, PointSpec};
 pub use random::{Generator, Msvc, Pcg, Source, Unit};
 pub use ray::Ray;
+pub(crate) use settled::aspect;
 pub use thesis::draw_pairs;
+pub(crate) use thesis::{length, normalised};
 pub use triangle::Triangle;
