@@ -122,6 +122,12 @@ pub mod compare;
 pub mod stability;
 
 #[cfg(feature = "cli")]
+pub mod scene;
+
+#[cfg(feature = "cli")]
+pub mod render;
+
+#[cfg(feature = "cli")]
 pub mod experiment;
 
 #[cfg(feature = "cli")]
