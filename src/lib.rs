@@ -81,6 +81,9 @@ pub mod job;
 
 pub mod bound;
 
+#[cfg(feature = "cli")]
+pub mod structure;
+
 pub mod registry;
 
 pub mod counting;
