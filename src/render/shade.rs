@@ -101,7 +101,7 @@ impl Follower<'_> {
             return true;
         }
         self.rays.shadow += 1;
-        self.tracer.any(&ray).is_none()
+        !self.tracer.any(&ray)
     }
 }
 
