@@ -7,5 +7,11 @@
 //! ```
 
 pub mod bounds;
+pub mod built_in;
+pub mod look;
 pub mod mesh;
+mod open;
+pub mod rays;
 mod weld;
+
+pub use open::open;

@@ -18,6 +18,7 @@ mod triangle;
 
 pub use error::WorkloadError;
 pub use nearest::{Kind, NearestSet, NearestSpec, random_pair};
+pub(crate) use nearest::{on_sphere, ray};
 pub use pairs::{PairSpec, Pairs, QueryKind, Winding};
 pub use points::{PointSet, PointSpec};
 pub use random::{Generator, Msvc, Pcg, Source, Unit};

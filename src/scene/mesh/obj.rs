@@ -1,8 +1,8 @@
 //! OBJ, by the crate `tobj`.
 
+use super::Mesh;
 use super::build::Builder;
 use super::sieve::{Seen, Sieve};
-use super::Mesh;
 use crate::check::read::ReadError;
 use tobj::{LoadError, LoadOptions};
 

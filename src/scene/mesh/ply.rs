@@ -1,9 +1,9 @@
 //! PLY, by the crate `ply-rs-bw`, element by element, so that none is held longer than it is needed
 //! and the place of an error is known.
 
+use super::Mesh;
 use super::build::Builder;
 use super::load::shortened;
-use super::Mesh;
 use crate::check::read::ReadError;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{
@@ -182,7 +182,9 @@ impl Body<'_> {
             _ => self.parser.read_little_endian_element(&mut self.rest, element),
         };
         let count = element.count;
-        item.map_err(|error| format!("{}; allowed: {count} whole ones", shortened(&error.to_string())))
+        item.map_err(|error| {
+            format!("{}; allowed: {count} whole ones", shortened(&error.to_string()))
+        })
     }
 
     fn bad(&self, element: &ElementDef, index: usize, message: String) -> ReadError {

@@ -3,10 +3,10 @@
 //! It is told what the file is instead of guessing by its first word, and is handed one line at a
 //! time, so that the place of an error is known.
 
+use super::Mesh;
 use super::build::Builder;
 use super::load::shortened;
 use super::stl_lines::Lines;
-use super::Mesh;
 use crate::check::read::ReadError;
 use crate::scene::weld::Weld;
 use std::cell::Cell;

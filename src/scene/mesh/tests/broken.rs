@@ -14,7 +14,10 @@ fn what_is_no_mesh_is_refused() {
     let none = "allowed: at least one triangle";
     assert_eq!(refusal("a.obj", "v 0 0 0\n"), format!("a.obj: 0 vertices, no face; {none}"));
     assert_eq!(refusal("a.obj", "no mesh"), format!("a.obj: 0 vertices, no face; {none}"));
-    assert_eq!(refusal("a.stl", "solid\nendsolid\n"), format!("a.stl: 0 vertices, no face; {none}"));
+    assert_eq!(
+        refusal("a.stl", "solid\nendsolid\n"),
+        format!("a.stl: 0 vertices, no face; {none}")
+    );
     let ply = ply_text().replace("face 4", "face 0");
     let ply = &ply[..ply.find("3 0").expect("a face")];
     assert_eq!(refusal("a.ply", ply), format!("a.ply: 4 vertices, no face; {none}"));
@@ -95,7 +98,10 @@ fn what_is_cut_short_is_refused_at_every_byte() {
     let mut bytes = ply_binary(false);
     bytes.pop();
     let text = refusal("b.ply", bytes);
-    assert!(text.starts_with("b.ply: face 3: ") && text.ends_with("allowed: 4 whole ones"), "{text}");
+    assert!(
+        text.starts_with("b.ply: face 3: ") && text.ends_with("allowed: 4 whole ones"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -106,7 +112,8 @@ fn wrong_counts_are_refused() {
     assert!(fewer.starts_with("a.ply: 8 bytes behind the last element; allowed"), "{fewer}");
     for count in ["99999999999", "18446744073709551615", "99999999999999999999999"] {
         for text in [ply_text().into_bytes(), ply_binary(true)] {
-            let text = String::from_utf8_lossy(&text).replace("vertex 4", &format!("vertex {count}"));
+            let text =
+                String::from_utf8_lossy(&text).replace("vertex 4", &format!("vertex {count}"));
             let message = refusal("a.ply", text);
             assert!(message.contains("cut short") || message.contains("line 4"), "{message}");
         }
