@@ -63,7 +63,9 @@ pub(super) fn read_ascii(file: &str, bytes: &[u8]) -> Result<Mesh, ReadError> {
     let mut solids = Solids::default();
     let mut rest = bytes;
     while !rest.trim_ascii_start().is_empty() {
-        let mut lines = Lines::new(rest, &number);
+        let Some(mut lines) = Lines::new(rest, &number) else {
+            return Err(bad("allowed: 'solid' and a name, or a binary file".into()));
+        };
         let reader = stl_io::create_stl_reader(&mut lines);
         let triangles = reader.map_err(|error| bad(error.to_string()))?;
         for triangle in triangles {
