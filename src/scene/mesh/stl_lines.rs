@@ -78,7 +78,7 @@ impl Read for Lines<'_> {
         self.is_over = end.is_some() || rest.is_empty();
         if self.length > LONGEST {
             self.number.set(self.number.get() + 1);
-            let message = format!("allowed: lines of at most {LONGEST} bytes");
+            let message = format!("the line has more than {LONGEST} bytes");
             return Err(io::Error::new(io::ErrorKind::InvalidData, message));
         }
         self.number.set(self.number.get() + u64::from(self.is_over && !piece.is_empty()));
