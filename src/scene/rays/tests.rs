@@ -45,6 +45,15 @@ fn a_camera_sees_the_whole_mesh() {
 }
 
 #[test]
+fn scenes_that_choose_their_view_are_in_it() {
+    for text in ["cornell-box:1", "terrain:16"] {
+        let mesh = scene(text);
+        let camera = Camera::new(&view(&mesh), 9, 9);
+        assert!(mesh.vertices.iter().all(|vertex| camera.sees(*vertex)), "{text}");
+    }
+}
+
+#[test]
 fn primary_rays_start_at_one_point_and_run_row_by_row() {
     let mesh = scene("icosphere:2");
     let primary = rays("primary", &mesh);
