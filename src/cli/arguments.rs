@@ -7,6 +7,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use super::baseline::Baselines;
 use super::check::{self, Check};
 use super::compare::Compare;
+use super::render::{self, Render};
 use super::slips::slip;
 use super::stability::{self, Stability};
 use crate::experiment::Profile;
@@ -101,6 +102,9 @@ pub enum Verb {
     /// Put cases of your own through every kernel, against the exact answer
     #[command(after_help = check::HELP)]
     Check(Check),
+    /// Make a picture of a scene with any kernel: its time, and where it differs from the exact one
+    #[command(after_help = render::HELP)]
+    Render(Render),
 }
 
 /// `ray_test run`
@@ -230,6 +234,8 @@ macro_rules! words {
         }
     };
 }
+
+pub(super) use words;
 
 words! {
     /// Order of the pairs.

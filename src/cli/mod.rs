@@ -18,6 +18,11 @@ mod interrupt;
 mod list;
 mod lock;
 mod progress;
+mod render;
+mod render_files;
+mod render_frames;
+mod render_kernels;
+mod render_rows;
 mod show;
 mod slices;
 mod slips;
@@ -54,7 +59,7 @@ pub fn main() -> ExitCode {
 
 fn run(arguments: Arguments) -> Result<(), Failure> {
     let measures =
-        |verb: &Verb| matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_));
+        |verb: &Verb| matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Render(_));
     if arguments.verb.as_ref().is_none_or(measures) {
         addresses::settle();
     }
@@ -67,5 +72,6 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Compare(compare)) => compare::run(&compare),
         Some(Verb::Stability(stability)) => stability::run(&stability),
         Some(Verb::Check(check)) => check::run(&check),
+        Some(Verb::Render(render)) => render::run(&render),
     }
 }

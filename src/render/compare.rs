@@ -20,13 +20,15 @@ pub struct Count {
 }
 
 /// The colour of a kind in pictures: of those of Okabe and Ito, 2008, which people with colour-blindness
-/// tell apart (vermilion, blue, bluish green, and orange).
+/// tell apart: vermilion, blue, bluish green, orange, sky blue, and reddish purple.
 pub fn colour(way: Way) -> DVec3 {
     let bytes = match way {
-        Way::Missed => [213.0, 94.0, 0.0],
+        Way::Crack => [213.0, 94.0, 0.0],
         Way::FalseHit => [0.0, 114.0, 178.0],
         Way::WrongTriangle => [0.0, 158.0, 115.0],
         Way::WrongDistance => [230.0, 159.0, 0.0],
+        Way::Outline => [86.0, 180.0, 233.0],
+        Way::Shadow => [204.0, 121.0, 167.0],
     };
     DVec3::from_array(bytes) / 255.0
 }
@@ -72,19 +74,27 @@ impl<'a> Compared<'a> {
             let grey = 0.3 * pixel.x + 0.6 * pixel.y + 0.1 * pixel.z;
             *pixel = DVec3::splat(0.6 + 0.4 * grey);
         }
-        let of = |column: u32, row: u32| self.ways[picture.index(column, row)];
-        for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
-            let around = (row.saturating_sub(1)..=row.saturating_add(1).min(rows - 1))
-                .flat_map(|r| (column.saturating_sub(1)..=(column + 1).min(columns - 1)).map(move |c| (c, r)));
-            let nearby = around.filter_map(|(column, row)| of(column, row)).min();
-            let pixel = &mut painted.pixels_mut()[picture.index(column, row)];
-            match (of(column, row), nearby) {
-                (Some(way), _) => *pixel = colour(way),
-                (None, Some(way)) => *pixel = pixel.lerp(colour(way), 0.5),
-                (None, None) => {}
+        for row in 0..rows {
+            for column in 0..columns {
+                let own = self.ways[picture.index(column, row)];
+                let pixel = &mut painted.pixels_mut()[picture.index(column, row)];
+                match (own, self.nearby(picture, column, row)) {
+                    (Some(way), _) => *pixel = colour(way),
+                    (None, Some(way)) => *pixel = pixel.lerp(colour(way), 0.5),
+                    (None, None) => {}
+                }
             }
         }
         painted
+    }
+
+    /// The first kind of the pixels around one, up to eight of them.
+    fn nearby(&self, picture: &Picture, column: u32, row: u32) -> Option<Way> {
+        let [columns, rows] = picture.size();
+        let around = |place: u32, count: u32| place.saturating_sub(1)..=(place + 1).min(count - 1);
+        let of_row = |row| around(column, columns).map(move |column| (column, row));
+        let pixels = around(row, rows).flat_map(of_row);
+        pixels.filter_map(|(column, row)| self.ways[picture.index(column, row)]).min()
     }
 
     fn take(&mut self, difference: Option<Difference>) {

@@ -3,7 +3,7 @@
 use super::material::Material;
 use super::paint;
 use crate::scene::bounds::Bounds;
-use crate::scene::mesh::Mesh;
+use crate::scene::mesh::{Mesh, View};
 use crate::scene::rays::{Camera, view};
 use crate::workload::{Ray, Triangle};
 use glam::{DVec3, Vec3};
@@ -27,6 +27,7 @@ pub struct Stage {
     pub lights: Vec<Light>,
     /// Around the mesh.
     pub bounds: Bounds,
+    view: View,
     size: [u32; 2],
     camera: Camera,
 }
@@ -44,7 +45,20 @@ impl Stage {
             camera: Camera::new(&view, size[0], size[1]),
             triangles,
             bounds,
+            view,
             size,
+        }
+    }
+
+    /// The same in a picture of another size.
+    pub fn resized(&self, size: [u32; 2]) -> Self {
+        Stage {
+            triangles: self.triangles.clone(),
+            surfaces: self.surfaces.clone(),
+            lights: self.lights.clone(),
+            camera: Camera::new(&self.view, size[0], size[1]),
+            size,
+            ..*self
         }
     }
 

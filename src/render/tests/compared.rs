@@ -6,7 +6,7 @@ use crate::structure::List;
 use glam::DVec3;
 
 /// The picture of a kernel with its differences by kind, and the first that is not excused.
-fn compared(stage: &Stage, ask: Ask) -> ([Count; 4], Option<(usize, Way)>, Picture) {
+fn compared(stage: &Stage, ask: Ask) -> ([Count; 6], Option<(usize, Way)>, Picture) {
     let structure = structure(&stage.triangles);
     let leaf = AskingLeaf::new(ask, &stage.triangles, false);
     // In a list, so that it may hit triangles that the ray is far from.
@@ -52,7 +52,7 @@ fn changed(change: impl Fn(&Query, Option<[f64; 3]>) -> Option<[f64; 3]> + 'stat
 #[test]
 fn the_right_kernel_differs_nowhere() {
     let (counts, first, painted) = compared(&two(), right());
-    assert_eq!((counts, first), ([Count::default(); 4], None));
+    assert_eq!((counts, first), ([Count::default(); 6], None));
     let is_grey = |pixel: &DVec3| pixel.x == pixel.y && pixel.y == pixel.z && pixel.x >= 0.6;
     assert!(painted.pixels().iter().all(is_grey));
     let [near, any] = hits(&two());
@@ -64,8 +64,8 @@ fn a_triangle_that_is_not_seen_is_a_crack_with_or_without_something_behind() {
     let [near, any] = hits(&two());
     let (counts, first, _) = compared(&two(), changed(|query, hit| hit.filter(|_| !is_near(query))));
     assert_eq!(counts[0], Count { rays: near, excused: 0, pixels: near });
-    assert_eq!(counts[1..], [Count::default(); 3]);
-    assert!(matches!(first, Some((_, Way::Missed))));
+    assert_eq!(counts[1..], [Count::default(); 5]);
+    assert!(matches!(first, Some((_, Way::Crack))));
     let (counts, ..) = compared(&two(), changed(|_, _| None));
     assert_eq!(counts[0].rays, any);
 }
@@ -101,28 +101,34 @@ fn a_distance_that_rounding_does_not_explain_is_counted() {
 }
 
 #[test]
-fn a_shadow_that_is_lost_is_counted_and_rounding_excuses_edges_alone() {
-    // The light's way to the far one is blocked by the near one, which the kernel sees from the eye
-    // but not from below.
+fn a_shadow_that_is_lost_is_counted() {
+    // The kernel sees the near one from the eye, but not from below, where it blocks the light.
     let mut stage = Stage::new(&mesh(&[facing(0.0, 0.5), facing(-1.0, 3.0)]), [16, 16]);
     stage.lights.truncate(1);
     stage.lights[0].place = Vec3::new(2.0, 0.0, 4.0);
-    let upwards = |query: &Query, hit: Option<[f64; 3]>| {
-        hit.filter(|_| query.direction[2] < 0.0)
-    };
-    let (counts, ..) = compared(&stage, changed(upwards));
-    assert!(counts[0].rays > 0 && counts[0].excused == 0, "{counts:?}");
-    // A hair off the edge: whatever a kernel says there is excused.
+    let downwards =
+        |query: &Query, hit: Option<[f64; 3]>| hit.filter(|_| query.direction[2] < 0.0);
+    let (counts, first, painted) = compared(&stage, changed(downwards));
+    let Count { rays, excused, pixels } = counts[5];
+    assert!(rays > 0 && excused == 0 && pixels == rays, "{counts:?}");
+    assert_eq!(counts[..5], [Count::default(); 5]);
+    let Some((pixel, Way::Shadow)) = first else { panic!("{first:?}") };
+    assert_eq!(painted.pixels()[pixel], colour(Way::Shadow));
+}
+
+#[test]
+fn rounding_excuses_what_is_on_an_edge_which_is_an_outline_or_a_crack() {
     let lost = |_: &Query, hit: Option<[f64; 3]>| {
         hit.filter(|[_, u, v]| u.min(*v).min(1.0 - u - v) > 1e-7)
     };
-    let edge = Stage::new(&mesh(&[facing(0.0, 1.0)]), [1, 1]);
-    let ray = edge.primary(0, 0);
-    assert_eq!((ray.direction.x, ray.direction.y), (0.0, 0.0));
-    // Its edge from b to c passes the middle of the picture.
-    let mut edge = Stage::new(&mesh(&[[Vec3::X, Vec3::NEG_X, Vec3::Y].map(|p| p * 2.0)]), [1, 1]);
-    edge.lights.clear();
-    let (counts, first, _) = compared(&edge, changed(lost));
-    assert_eq!(counts[0], Count { rays: 1, excused: 1, pixels: 1 });
-    assert_eq!(first, None);
+    // An edge passes the middle of the picture, where its one pixel is.
+    let upper = [Vec3::X, Vec3::NEG_X, Vec3::Y];
+    let lower = [Vec3::NEG_X, Vec3::X, Vec3::NEG_Y];
+    for (triangles, place) in [(vec![upper], 4), (vec![upper, lower], 0)] {
+        let mut stage = Stage::new(&mesh(&triangles), [1, 1]);
+        stage.lights.clear();
+        let (counts, first, _) = compared(&stage, changed(lost));
+        assert_eq!(counts[place], Count { rays: 1, excused: 1, pixels: 1 });
+        assert_eq!((counts.iter().map(|count| count.rays).sum::<u64>(), first), (1, None));
+    }
 }
