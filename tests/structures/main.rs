@@ -145,3 +145,21 @@ fn leaves_are_named_as_the_timed_forms_are() {
         assert!((form.prepare)(&[]).triangles() == 0);
     }
 }
+
+/// The hierarchies of other crates find what is there; that of `bvh` sees front faces only.
+#[cfg(feature = "peers")]
+#[test]
+fn beyond_doubt_the_trees_of_other_crates_are_right() {
+    use ray_test::peers::trees::TREES;
+
+    let (triangles, rays, truth) = beyond_doubt(Rays::Random);
+    for form in TREES {
+        let mut job = (form.bind)(&triangles, &rays);
+        let found: Vec<_> = job.answers().iter().map(|answer| answer.triangle).collect();
+        if form.id == "peer-bvh" {
+            assert!(found.iter().flatten().count() > 10);
+        } else {
+            assert_eq!(found, truth, "{}", form.id);
+        }
+    }
+}
