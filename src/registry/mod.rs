@@ -7,6 +7,8 @@ mod drives;
 mod edges;
 mod every;
 mod forms;
+#[cfg(feature = "cli")]
+mod leaves;
 mod listings;
 mod offers;
 mod packets;
@@ -18,13 +20,19 @@ mod registers;
 mod sharing;
 mod streams;
 mod techniques;
+#[cfg(feature = "cli")]
+mod wide;
 
 pub use arithmetic::{Unit, units};
 pub use asked::{Asked, asked, asked_with_peers};
 pub use axes::{Axes, COLUMNS};
 pub use every::{KernelVisitor, ListingVisitor, visit_kernels, visit_listings};
+#[cfg(feature = "cli")]
+pub use leaves::{LeafForm, leaves};
 pub use offers::{Offers, Other};
 pub use streams::{OneStream, streams};
+#[cfg(feature = "cli")]
+pub use wide::{SearchBinder, WideForm, wide_forms};
 
 use std::sync::LazyLock;
 

@@ -24,7 +24,8 @@ struct Node<V> {
     is_leaf: bool,
 }
 
-/// How often rays met a volume and one in it: to compare with their surfaces.
+/// How often lines met a volume and one in it: to compare with their surfaces, where volumes lie within
+/// their parents, as boxes do.
 #[derive(Clone, Copy, Debug)]
 pub struct Chance<V> {
     /// Around it.
@@ -51,7 +52,8 @@ fn laid_out(topology: &Topology) -> (Vec<Shape>, Vec<u32>) {
     let mut shapes: Vec<Shape> = Vec::new();
     let mut indices = Vec::new();
     let place = || Shape { first: 0, count: 0, is_leaf: false, range: [usize::MAX, 0] };
-    let mut stack: Vec<(usize, usize)> = topology.root().map(|root| (root, 0)).into_iter().collect();
+    let mut stack: Vec<(usize, usize)> =
+        topology.root().map(|root| (root, 0)).into_iter().collect();
     shapes.extend(stack.iter().map(|_| place()));
     while let Some((branch, slot)) = stack.pop() {
         match topology.branch(branch) {

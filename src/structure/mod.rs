@@ -21,6 +21,8 @@ mod beam;
 mod best;
 mod bounded;
 mod compressed;
+#[cfg(test)]
+mod cost_tests;
 mod counts;
 mod excuse;
 mod grid;
@@ -51,7 +53,7 @@ pub use compressed::Compressed;
 pub use counts::{Counts, pays};
 pub use excuse::{Excuse, excuse};
 pub use grid::Grid;
-pub use hierarchy::Hierarchy;
+pub use hierarchy::{Chance, Hierarchy};
 pub use insertion::inserted;
 pub use kd_tree::KdTree;
 pub use kind::{KINDS, Kind, kind};
@@ -61,7 +63,7 @@ pub use octree::Octree;
 pub use ready_made::from_obvhs;
 pub use search::Search;
 pub use sorted::SortedVolumes;
-pub use structure_job::StructureJob;
+pub use structure_job::{SearchJob, StructureJob};
 pub use surface_area::by_surface_area;
 pub use topology::Topology;
 

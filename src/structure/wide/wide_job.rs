@@ -7,7 +7,7 @@ use crate::batch::{Aligned, widened};
 use crate::job::{Answer, Block, Job, Tally};
 use crate::kernels::Kernel;
 use crate::policy::Ray;
-use crate::structure::{Hit, from_obvhs};
+use crate::structure::{Hit, SearchJob, from_obvhs};
 use crate::workload::{self, Triangle};
 
 /// A compiled loop over a batch of rays.
@@ -54,11 +54,6 @@ impl<const W: usize> WideJob<W> {
         }
     }
 
-    /// Bytes of the tree, and of the records.
-    pub fn bytes(&self) -> [usize; 2] {
-        [self.tree.bytes(), size_of_val::<[f32]>(&self.records)]
-    }
-
     /// The tree.
     pub fn tree(&self) -> &Wide<W> {
         &self.tree
@@ -74,6 +69,12 @@ impl<const W: usize> WideJob<W> {
             answers: &mut self.answers[first..][..items],
             stack: &mut self.stack,
         });
+    }
+}
+
+impl<const W: usize> SearchJob for WideJob<W> {
+    fn bytes(&self) -> [usize; 2] {
+        [self.tree.bytes(), size_of_val::<[f32]>(&self.records)]
     }
 }
 
