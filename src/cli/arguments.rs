@@ -223,7 +223,7 @@ pub enum Format {
 macro_rules! words {
     ($(#[$doc:meta])* $name:ident for $target:ty { $($value:ident => $of:expr,)* }) => {
         $(#[$doc])*
-        #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+        #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
         #[allow(missing_docs, reason = "the words explain themselves where they are used")]
         pub enum $name { $($value,)* }
         impl $name {

@@ -192,11 +192,11 @@ fn make<'a>(
 }
 
 /// Says on stderr what is about to be done and how long it takes, by a picture of a 16th of the size.
-fn announce<'a>(
+fn announce(
     arguments: &Render,
-    stage: &'a Stage,
-    structure: &'a dyn Structure,
-    all: &mut [Contender<'a>],
+    stage: &Stage,
+    structure: &dyn Structure,
+    all: &mut [Contender<'_>],
 ) -> Result<(), Failure> {
     const PART: u32 = 16;
     let small = stage.resized(arguments.size.map(|side| side.div_ceil(PART)));

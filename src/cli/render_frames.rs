@@ -110,7 +110,7 @@ impl<'a> Studio<'a> {
     ///
     /// # Errors
     /// When interrupted.
-    pub fn tried(&mut self, one: &mut Contender<'a>, compares: bool) -> Result<f64, Failure> {
+    pub fn tried(&mut self, one: &mut Contender<'_>, compares: bool) -> Result<f64, Failure> {
         if compares { Ok(self.compared(one)?.1) } else { Ok(self.timed(&mut one.tracer)?.1) }
     }
 
@@ -119,7 +119,7 @@ impl<'a> Studio<'a> {
     ///
     /// # Errors
     /// When interrupted; the frames that were made stay.
-    pub fn frames(&mut self, all: &mut [Contender<'a>], count: usize) -> Result<(), Failure> {
+    pub fn frames(&mut self, all: &mut [Contender<'_>], count: usize) -> Result<(), Failure> {
         for turn in 0..count {
             for place in 0..all.len() {
                 let one = &mut all[(turn + place) % all.len()];
@@ -136,7 +136,7 @@ impl<'a> Studio<'a> {
     ///
     /// # Errors
     /// When interrupted; the frames that were made stay.
-    pub fn without_tests(&mut self, one: &mut Contender<'a>, count: usize) -> Result<(), Failure> {
+    pub fn without_tests(&mut self, one: &mut Contender<'_>, count: usize) -> Result<(), Failure> {
         let [columns, rows] = self.stage.size();
         if columns as usize * rows as usize > MOST_RECORDED {
             return Ok(());
@@ -155,12 +155,12 @@ impl<'a> Studio<'a> {
     ///
     /// # Errors
     /// When interrupted.
-    pub fn compare(&mut self, one: &mut Contender<'a>) -> Result<(), Failure> {
+    pub fn compare(&mut self, one: &mut Contender<'_>) -> Result<(), Failure> {
         one.shown.differences = Some(self.compared(one)?.0);
         Ok(())
     }
 
-    fn compared(&mut self, one: &mut Contender<'a>) -> Result<(Differences, f64), Failure> {
+    fn compared(&mut self, one: &mut Contender<'_>) -> Result<(Differences, f64), Failure> {
         let [columns, rows] = self.stage.size();
         let is_segment = one.shown.chosen.is_segment;
         let exactly = Exactly::new(&self.stage.triangles, self.structure, is_segment);

@@ -6,7 +6,7 @@ use crate::scene::bounds::Bounds;
 use crate::scene::mesh::{Mesh, View};
 use crate::scene::rays::{Camera, view};
 use crate::workload::{Ray, Triangle};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 /// A point that light comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
