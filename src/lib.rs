@@ -9,7 +9,7 @@
 //! ```
 //! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
 //! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock; [`scene`] reads
-//! meshes, draws rays for them, and says what both are like;
+//! meshes, draws rays for them, and says what both are like; [`render`] makes pictures of them;
 //! [`doctor`] measures a kernel against copies of itself, to tell what the machine is good for.
 //! The modules below stand in reading order.
 //!

@@ -58,8 +58,9 @@ pub fn main() -> ExitCode {
 }
 
 fn run(arguments: Arguments) -> Result<(), Failure> {
-    let measures =
-        |verb: &Verb| matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Render(_));
+    let measures = |verb: &Verb| {
+        matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Render(_))
+    };
     if arguments.verb.as_ref().is_none_or(measures) {
         addresses::settle();
     }

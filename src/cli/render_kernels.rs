@@ -84,7 +84,11 @@ pub fn chosen(words: &[String]) -> Result<Vec<Chosen>, Failure> {
 
 /// A kernel's own form in f32, or the one with that id: meshes are of f32 numbers.
 fn form_of(word: &str) -> Option<&'static Asked> {
-    if word.contains('/') { forms().find(|form| form.id() == word) } else { form(word, Precision::F32) }
+    if word.contains('/') {
+        forms().find(|form| form.id() == word)
+    } else {
+        form(word, Precision::F32)
+    }
 }
 
 fn forms() -> impl Iterator<Item = &'static Asked> {

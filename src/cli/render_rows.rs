@@ -25,7 +25,8 @@ pub struct Common<'a> {
 pub fn sheet(common: &Common<'_>, shown: &[&Shown]) -> Sheet {
     let rows: Vec<_> = shown.iter().map(|one| cells(common, one)).collect();
     let columns = rows.first().into_iter().flatten().map(|(name, _)| *name).collect();
-    let values = |row: Vec<(&'static str, Value)>| row.into_iter().map(|(_, value)| value).collect();
+    let values =
+        |row: Vec<(&'static str, Value)>| row.into_iter().map(|(_, value)| value).collect();
     Sheet { columns, rows: rows.into_iter().map(values).collect() }
 }
 

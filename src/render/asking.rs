@@ -46,7 +46,8 @@ impl Leaf for AskingLeaf {
         for &triangle in indices {
             let query = query(&ray, &self.triangles[triangle as usize], self.is_segment);
             let found = (self.ask)(&query);
-            if let Some([t, u, v]) = found.filter(|[t, ..]| query.t_min <= *t && *t <= query.t_max) {
+            if let Some([t, u, v]) = found.filter(|[t, ..]| query.t_min <= *t && *t <= query.t_max)
+            {
                 let [t, u, v] = [t, u, v].map(|x| x as f32);
                 best.offer(Hit { triangle, t, u, v });
             }

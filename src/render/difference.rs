@@ -138,8 +138,8 @@ fn of_exchange(
     Difference { way: Way::WrongTriangle, is_excused }
 }
 
-/// How far beside a ray its neighbours are, in parts of its direction: a hundred times as far as the
-/// rounding of a direction, and a tenth of a pixel of a picture of 4000.
+/// How far beside a ray its neighbours are, in parts of its direction: 256 times the rounding of a
+/// direction, and less than a tenth of a pixel of a picture with 4000 rows.
 const HAIR: f64 = 1.0 / 65_536.0;
 
 /// The nearest triangle was missed, and what is at `behind` seen instead. It is a crack where the exact

@@ -106,12 +106,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// The colour of a pixel that gets a ray, if it had none.
-    fn traced(
-        &mut self,
-        column: u32,
-        row: u32,
-        trace: &mut dyn FnMut(u32, u32) -> DVec3,
-    ) -> DVec3 {
+    fn traced(&mut self, column: u32, row: u32, trace: &mut dyn FnMut(u32, u32) -> DVec3) -> DVec3 {
         let index = self.picture.index(column, row);
         if !self.traced[index] {
             self.traced[index] = true;

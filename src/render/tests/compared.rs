@@ -62,7 +62,8 @@ fn the_right_kernel_differs_nowhere() {
 #[test]
 fn a_triangle_that_is_not_seen_is_a_crack_with_or_without_something_behind() {
     let [near, any] = hits(&two());
-    let (counts, first, _) = compared(&two(), changed(|query, hit| hit.filter(|_| !is_near(query))));
+    let (counts, first, _) =
+        compared(&two(), changed(|query, hit| hit.filter(|_| !is_near(query))));
     assert_eq!(counts[0], Count { rays: near, excused: 0, pixels: near });
     assert_eq!(counts[1..], [Count::default(); 5]);
     assert!(matches!(first, Some((_, Way::Crack))));
@@ -106,8 +107,7 @@ fn a_shadow_that_is_lost_is_counted() {
     let mut stage = Stage::new(&mesh(&[facing(0.0, 0.5), facing(-1.0, 3.0)]), [16, 16]);
     stage.lights.truncate(1);
     stage.lights[0].place = Vec3::new(2.0, 0.0, 4.0);
-    let downwards =
-        |query: &Query, hit: Option<[f64; 3]>| hit.filter(|_| query.direction[2] < 0.0);
+    let downwards = |query: &Query, hit: Option<[f64; 3]>| hit.filter(|_| query.direction[2] < 0.0);
     let (counts, first, painted) = compared(&stage, changed(downwards));
     let Count { rays, excused, pixels } = counts[5];
     assert!(rays > 0 && excused == 0 && pixels == rays, "{counts:?}");

@@ -12,10 +12,8 @@ use crate::workload::Triangle;
 use glam::Vec3;
 
 /// Every ray followed, a ray for every pixel.
-const FULL: Manner = Manner {
-    following: Following { depth: 3, casts_only: false },
-    subsampling: Subsampling::NONE,
-};
+const FULL: Manner =
+    Manner { following: Following { depth: 3, casts_only: false }, subsampling: Subsampling::NONE };
 
 /// Seen from (0, 0, 5) towards the origin, light from (0, 0, 4) and half of the way to it. `terrain`
 /// has a matt surface.

@@ -74,7 +74,10 @@ fn highlights_are_where_the_mirror_of_the_light_is() {
     stage.lights[0].place = Vec3::new(2.0, 0.0, 2.0);
     let frame = picture(&stage, right(), FULL);
     let squared_cosine = (1.0 + 0.5f64.sqrt()) / 2.0;
-    assert_shows(frame.picture.pixels()[0], DVec3::splat(0.5 * STRENGTHS[0] * squared_cosine.powi(16)));
+    assert_shows(
+        frame.picture.pixels()[0],
+        DVec3::splat(0.5 * STRENGTHS[0] * squared_cosine.powi(16)),
+    );
 }
 
 #[test]
