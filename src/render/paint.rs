@@ -63,3 +63,34 @@ fn room_far(triangle: &Triangle) -> Material {
         _ => BLUE,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::open;
+
+    /// How many triangles of a scene have each of the materials.
+    fn counts<const COUNT: usize>(scene: &str, materials: [Material; COUNT]) -> [usize; COUNT] {
+        let triangles = open(scene).expect("it is built in").list();
+        let painted: Vec<Material> = triangles.iter().map(|one| surface(scene, one)).collect();
+        let of = |wanted: Material| painted.iter().filter(|one| **one == wanted).count();
+        let counts = materials.map(of);
+        assert_eq!(counts.iter().sum::<usize>(), triangles.len(), "{scene} has other materials");
+        counts
+    }
+
+    #[test]
+    fn parts_of_scenes_have_their_materials_at_every_size() {
+        for side in [1, 3, 8] {
+            let square = 2 * side * side;
+            // Two side walls, a lamp, five faces of the tall block; three walls and the other block.
+            let box_of = counts(&format!("cornell-box:{side}"), [RED, GREEN, LAMP, STEEL, WHITE]);
+            assert_eq!(box_of, [square, square, 2, 5 * square, 8 * square]);
+            // The floor, five walls, the ball, the board.
+            let room = counts(&format!("room-far:{side}"), [CLAY, WHITE, STEEL, BLUE]);
+            assert_eq!(room, [square, 5 * square, 320, 6 * square]);
+        }
+        assert_eq!(counts("terrain", [GRASS]), [2 * 64 * 64]);
+        assert_eq!(counts("soup:9", [USUAL]), [9]);
+    }
+}
