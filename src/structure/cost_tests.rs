@@ -3,6 +3,7 @@
 use super::tests::{Of, cube, leaf, soup};
 use super::volume::{Bounds, Sphere, Volume};
 use super::*;
+use crate::job::Block;
 use crate::kernels::MollerTrumbore;
 use crate::policy::Inside;
 use crate::workload::{Pcg, Ray, Triangle};
@@ -60,6 +61,16 @@ fn a_volume_leaves_a_share_and_lists_stay_linear() {
         let share = bounded.share_passed().expect("volumes were tested");
         assert!(share > 0.05 && share < 0.9, "{id} {share}");
         assert!(pays(1.0, share, 300.0) && !pays(300.0 * (1.0 - share), share, 300.0));
+    }
+    for volume in VOLUMES {
+        let mut job = (volume.bind)(&triangles, &rays);
+        let whole = Block::whole(job.as_ref());
+        let passed = counts_of(volume.id, &triangles, &rays).passed;
+        assert_eq!(job.run(whole).hits, passed, "{}", volume.id);
+        assert_eq!(
+            job.answers().iter().filter(|one| one.triangle.is_some()).count() as u64,
+            passed
+        );
     }
     let passed = |id: &str| counts_of(id, &triangles, &rays).passed;
     assert!(passed("slabs") < passed("box") && passed("box") < passed("sphere"));
