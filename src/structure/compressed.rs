@@ -3,16 +3,13 @@
 //! steps of a power of two, a byte a plane. Walked by us: the crate's own walk skips what is nearer than
 //! 0.0001, and replaces small components of a direction.
 
-use obvhs::BvhBuildParams;
-use obvhs::aabb::Aabb;
 use obvhs::cwbvh::CwBvh;
-use obvhs::cwbvh::builder::build_cwbvh;
+use obvhs::cwbvh::bvh2_to_cwbvh::bvh2_to_cwbvh;
 use obvhs::cwbvh::node::CwBvhNode;
-use std::time::Duration;
 
 use super::beam::WIDER;
-use super::placed::{Placed, placed};
-use super::ready_made::aabb;
+use super::placed::{Placed, around, placed};
+use super::ready_made::{built, scale};
 use super::search::{Search, Visit, farthest_first};
 use super::{Beam, Structure};
 use crate::workload::Triangle;
@@ -27,21 +24,25 @@ const MARGIN: f64 = 1.0 / 64.0;
 pub struct Compressed {
     nodes: Vec<CwBvhNode>,
     indices: Vec<u32>,
+    /// A power of two: boxes are of this scale.
+    scale: f64,
 }
+
+/// Triangles of a leaf, at most.
+const MOST_TRIANGLES: u32 = 3;
 
 impl Compressed {
     /// Of leaves with up to three triangles, as the format allows.
     pub fn new(triangles: &[Triangle]) -> Self {
         let placed: Vec<Placed> = placed(triangles);
-        let boxes: Vec<Aabb> = placed.iter().map(|one| aabb(&one.bounds)).collect();
-        if boxes.is_empty() {
-            return Compressed { nodes: Vec::new(), indices: Vec::new() };
+        if placed.is_empty() {
+            return Compressed { nodes: Vec::new(), indices: Vec::new(), scale: 1.0 };
         }
-        let wanted = BvhBuildParams { max_prims_per_leaf: 3, ..BvhBuildParams::medium_build() };
+        let scale = scale(&around(&placed));
         let CwBvh { nodes, primitive_indices, .. } =
-            build_cwbvh(&boxes, wanted, &mut Duration::default());
+            bvh2_to_cwbvh(&built(&placed, scale), MOST_TRIANGLES, true, false);
         let triangle = |index: &u32| placed[*index as usize].triangle;
-        Compressed { nodes, indices: primitive_indices.iter().map(triangle).collect() }
+        Compressed { nodes, indices: primitive_indices.iter().map(triangle).collect(), scale }
     }
 }
 
@@ -97,6 +98,7 @@ impl Structure for Compressed {
         if self.nodes.is_empty() {
             return;
         }
+        let beam = &beam.scaled(self.scale);
         let mut stack = search.take_stack();
         // Of a leaf: how many triangles, at the place of `node`, are in the bits of `far`.
         stack.push(Visit { near: beam.t_min, far: 0.0, node: 0 });
