@@ -9,7 +9,7 @@ use obvhs::cwbvh::node::CwBvhNode;
 
 use super::beam::WIDER;
 use super::placed::{Placed, around, placed};
-use super::ready_made::{built, scale};
+use super::ready_made::{Distinct, scale};
 use super::search::{Search, Visit, farthest_first};
 use super::{Beam, Structure};
 use crate::workload::Triangle;
@@ -23,26 +23,36 @@ const MARGIN: f64 = 1.0 / 64.0;
 /// Nodes of eight, and the triangle at every place.
 pub struct Compressed {
     nodes: Vec<CwBvhNode>,
+    /// Where the triangles of each place of a leaf begin.
+    starts: Vec<u32>,
     indices: Vec<u32>,
     /// A power of two: boxes are of this scale.
     scale: f64,
 }
 
-/// Triangles of a leaf, at most.
-const MOST_TRIANGLES: u32 = 3;
+/// Boxes of a leaf, at most.
+const MOST_BOXES: u32 = 3;
 
 impl Compressed {
-    /// Of leaves with up to three triangles, as the format allows.
+    /// Of leaves with up to three boxes, as the format allows; a triangle has one, or shares it.
     pub fn new(triangles: &[Triangle]) -> Self {
         let placed: Vec<Placed> = placed(triangles);
+        let mut compressed =
+            Compressed { nodes: Vec::new(), starts: Vec::new(), indices: Vec::new(), scale: 1.0 };
         if placed.is_empty() {
-            return Compressed { nodes: Vec::new(), indices: Vec::new(), scale: 1.0 };
+            return compressed;
         }
-        let scale = scale(&around(&placed));
+        compressed.scale = scale(&around(&placed));
+        let distinct = Distinct::of(&placed, compressed.scale);
         let CwBvh { nodes, primitive_indices, .. } =
-            bvh2_to_cwbvh(&built(&placed, scale), MOST_TRIANGLES, true, false);
-        let triangle = |index: &u32| placed[*index as usize].triangle;
-        Compressed { nodes, indices: primitive_indices.iter().map(triangle).collect(), scale }
+            bvh2_to_cwbvh(&distinct.tree(), MOST_BOXES, true, false);
+        compressed.nodes = nodes;
+        for index in primitive_indices {
+            compressed.starts.push(compressed.indices.len() as u32);
+            compressed.indices.extend(distinct.triangles(index as usize));
+        }
+        compressed.starts.push(compressed.indices.len() as u32);
+        compressed
     }
 }
 
@@ -100,14 +110,16 @@ impl Structure for Compressed {
         }
         let beam = &beam.scaled(self.scale);
         let mut stack = search.take_stack();
-        // Of a leaf: how many triangles, at the place of `node`, are in the bits of `far`.
+        // Of a leaf: `node` is its first place, `far` the number of its places.
         stack.push(Visit { near: beam.t_min, far: 0.0, node: 0 });
         while let Some(Visit { near, far, node }) = stack.pop() {
             if near > search.bound() {
                 continue;
             }
             if far > 0.0 {
-                if search.test(&self.indices[node as usize..][..far as usize]) {
+                let places = node as usize..node as usize + far as usize;
+                let (first, end) = (self.starts[places.start], self.starts[places.end]);
+                if search.test(&self.indices[first as usize..end as usize]) {
                     break;
                 }
                 continue;
@@ -132,6 +144,7 @@ impl Structure for Compressed {
     }
 
     fn bytes(&self) -> usize {
-        size_of_val(self.nodes.as_slice()) + size_of_val(self.indices.as_slice())
+        let lists = self.starts.len() + self.indices.len();
+        size_of_val(self.nodes.as_slice()) + lists * size_of::<u32>()
     }
 }

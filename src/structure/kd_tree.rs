@@ -143,8 +143,7 @@ impl Structure for KdTree {
                     }
                     Node::Plane { axis, place, first } => {
                         search.open();
-                        let children = Sides::of(beam, axis, place, first);
-                        match children.parts(near, far) {
+                        match Sides::of(beam, axis, place, first).parts(near, far) {
                             [Some(one), Some(other)] => {
                                 stack.push(other);
                                 (node, near, far) = (one.node as usize, one.near, one.far);

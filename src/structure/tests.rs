@@ -131,14 +131,14 @@ struct Seen {
 fn agree(triangles: &[Triangle], rays: &[Ray]) -> Seen {
     let mut seen = Seen::default();
     let list = List::new(triangles.len() as u32);
+    let built: Vec<_> = KINDS.iter().map(|kind| (kind.build)(triangles)).collect();
     for make in LEAVES {
         let mut plain = Search::new(make(triangles));
         let is_segment = plain.leaf().is_segment();
         let expected: Vec<Option<Hit>> = rays.iter().map(|ray| plain.nearest(&list, ray)).collect();
         seen.hits += expected.iter().flatten().count();
         seen.ties += ties(triangles, rays, &expected, make);
-        for kind in &KINDS {
-            let structure = (kind.build)(triangles);
+        for (kind, structure) in KINDS.iter().zip(&built) {
             let mut search = Search::new(make(triangles));
             for (ray, expected) in rays.iter().zip(&expected) {
                 let found = search.nearest(structure.as_ref(), ray);
