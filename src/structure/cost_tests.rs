@@ -1,8 +1,9 @@
 //! What structures cost, counted: the lecture's findings, without a clock.
 
-use super::tests::{Of, cube, leaf, soup};
-use super::volume::{Bounds, Sphere, Volume};
+use super::tests::{cube, leaf, soup};
+use super::volume::Bounds;
 use super::*;
+use crate::job::Block;
 use crate::kernels::MollerTrumbore;
 use crate::policy::Inside;
 use crate::workload::{Pcg, Ray, Triangle};
@@ -60,6 +61,16 @@ fn a_volume_leaves_a_share_and_lists_stay_linear() {
         let share = bounded.share_passed().expect("volumes were tested");
         assert!(share > 0.05 && share < 0.9, "{id} {share}");
         assert!(pays(1.0, share, 300.0) && !pays(300.0 * (1.0 - share), share, 300.0));
+    }
+    for volume in VOLUMES {
+        let mut job = (volume.bind)(&triangles, &rays);
+        let whole = Block::whole(job.as_ref());
+        let passed = counts_of(volume.id, &triangles, &rays).passed;
+        assert_eq!(job.run(whole).hits, passed, "{}", volume.id);
+        assert_eq!(
+            job.answers().iter().filter(|one| one.triangle.is_some()).count() as u64,
+            passed
+        );
     }
     let passed = |id: &str| counts_of(id, &triangles, &rays).passed;
     assert!(passed("slabs") < passed("box") && passed("box") < passed("sphere"));
@@ -122,31 +133,26 @@ fn insertion_depends_on_the_order() {
     assert!((ratio - 1.0).abs() > 0.05, "{along:?} {shuffled:?}");
 }
 
-/// Of each pair of volumes that enough lines meet: how far the share of hits is from the ratio of
-/// surfaces, in standard deviations of a share drawn so often.
-fn deviations<V: Volume>(area: fn(&V) -> f64) -> Vec<f64> {
+/// Of each pair of boxes that enough lines meet: how far the share of hits is from the ratio of surfaces,
+/// in standard deviations of a share drawn so often.
+fn deviations() -> Vec<f64> {
     let triangles = soup(200, 0.2);
-    let tree = Hierarchy::<V>::new(&triangles, &by_surface_area(&triangles));
+    let tree = Hierarchy::<Bounds>::new(&triangles, &by_surface_area(&triangles));
     let beams: Vec<Beam> = lines(20_000, 2.2).iter().filter_map(Beam::of_ray).collect();
-    let enough = |chance: &&hierarchy::Chance<V>| chance.parent_met >= 1000;
-    let chances = tree.chances(&beams);
-    let deviation = |chance: &hierarchy::Chance<V>| {
-        let share = area(&chance.child) / area(&chance.parent);
-        let expected = share * chance.parent_met as f64;
-        let spread = (expected * (1.0 - share)).sqrt();
-        (chance.child_met as f64 - expected) / spread
+    let enough = |chance: &&Chance<Bounds>| {
+        chance.parent_met >= 1000 && chance.child.area() < chance.parent.area()
     };
-    chances
-        .iter()
-        .filter(enough)
-        .filter(|one| area(&one.child) < area(&one.parent))
-        .map(deviation)
-        .collect()
+    let deviation = |chance: &Chance<Bounds>| {
+        let share = chance.child.area() / chance.parent.area();
+        let expected = share * chance.parent_met as f64;
+        (chance.child_met as f64 - expected) / (expected * (1.0 - share)).sqrt()
+    };
+    tree.chances(&beams).iter().filter(enough).map(deviation).collect()
 }
 
 #[test]
 fn the_chance_to_hit_a_child_is_the_ratio_of_surfaces() {
-    let boxes = deviations::<Bounds>(Bounds::area);
+    let boxes = deviations();
     assert!(boxes.len() > 20, "{}", boxes.len());
     // Five standard deviations happen by chance once in two million draws.
     assert!(boxes.iter().all(|deviation| deviation.abs() < 5.0), "{boxes:?}");

@@ -44,6 +44,7 @@ mod surface_area;
 mod tests;
 mod topology;
 pub mod volume;
+mod volume_job;
 pub mod wide;
 
 pub use beam::Beam;
@@ -66,6 +67,7 @@ pub use sorted::SortedVolumes;
 pub use structure_job::{SearchJob, StructureJob};
 pub use surface_area::by_surface_area;
 pub use topology::Topology;
+pub use volume_job::{VOLUMES, VolumeForm};
 
 /// Triangles, arranged for rays.
 pub trait Structure {
