@@ -8,9 +8,12 @@
 //!  stats ────> measure <─ job ──────────────────────────────┘                 waist ─> compare ──┘
 //! ```
 //! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
-//! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock;
+//! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock; [`scene`] reads
+//! meshes, draws rays for them, and says what both are like; [`render`] makes pictures of them;
 //! [`doctor`] measures a kernel against copies of itself, to tell what the machine is good for.
 //! [`recommend`] tells, from stored rows, which variant to take.
+//! The module `structure` arranges many triangles for rays, with any kernel at its leaves: bounding
+//! volumes, subdivisions of space, hierarchies, and the fast path of groups.
 //! The modules below stand in reading order.
 //!
 //! A kernel is a function of a [number](number::Real) and a [policy](policy::Policy). The same
@@ -83,6 +86,9 @@ pub mod job;
 
 pub mod bound;
 
+#[cfg(feature = "cli")]
+pub mod structure;
+
 pub mod registry;
 
 pub mod counting;
@@ -131,6 +137,12 @@ pub mod compare;
 
 #[cfg(feature = "cli")]
 pub mod stability;
+
+#[cfg(feature = "cli")]
+pub mod scene;
+
+#[cfg(feature = "cli")]
+pub mod render;
 
 #[cfg(feature = "cli")]
 pub mod experiment;

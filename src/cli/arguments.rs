@@ -8,6 +8,7 @@ use super::baseline::Baselines;
 use super::check::{self, Check};
 use super::compare::Compare;
 use super::recommend::{self, Recommend};
+use super::render::{self, Render};
 use super::report::{self, Report};
 use super::slips::slip;
 use super::stability::{self, Stability};
@@ -110,6 +111,9 @@ pub enum Verb {
     /// Tell which variant to take, by stored rows
     #[command(after_help = recommend::HELP)]
     Recommend(Recommend),
+    /// Make a picture of a scene with any kernel: its time, and where it differs from the exact one
+    #[command(after_help = render::HELP)]
+    Render(Render),
 }
 
 /// `ray_test run`
@@ -232,7 +236,7 @@ pub enum Format {
 macro_rules! words {
     ($(#[$doc:meta])* $name:ident for $target:ty { $($value:ident => $of:expr,)* }) => {
         $(#[$doc])*
-        #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+        #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
         #[allow(missing_docs, reason = "the words explain themselves where they are used")]
         pub enum $name { $($value,)* }
         impl $name {
@@ -243,6 +247,8 @@ macro_rules! words {
         }
     };
 }
+
+pub(super) use words;
 
 words! {
     /// Order of the pairs.

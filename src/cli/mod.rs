@@ -23,6 +23,11 @@ mod progress;
 mod publish;
 mod recommend;
 mod recommend_rows;
+mod render;
+mod render_files;
+mod render_frames;
+mod render_kernels;
+mod render_rows;
 mod report;
 mod rounds;
 mod shards;
@@ -63,8 +68,9 @@ pub fn main() -> ExitCode {
 }
 
 fn run(arguments: Arguments) -> Result<(), Failure> {
-    let measures =
-        |verb: &Verb| matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_));
+    let measures = |verb: &Verb| {
+        matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Render(_))
+    };
     if arguments.verb.as_ref().is_none_or(measures) {
         addresses::settle();
     }
@@ -79,5 +85,6 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Stability(stability)) => stability::run(&stability),
         Some(Verb::Check(check)) => check::run(&check),
         Some(Verb::Recommend(recommend)) => recommend::run(&recommend),
+        Some(Verb::Render(render)) => render::run(&render),
     }
 }

@@ -35,6 +35,8 @@ pub fn slip(word: &str) -> Option<String> {
         "stability",
         "check",
         "recommend",
+        "render",
+        "report",
         "help",
     ];
     let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();

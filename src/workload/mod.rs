@@ -24,3 +24,11 @@ pub use random::{Generator, Msvc, Pcg, Source, Unit};
 pub use ray::Ray;
 pub use thesis::draw_pairs;
 pub use triangle::Triangle;
+
+// What meshes and their rays are made with, too.
+#[cfg(feature = "cli")]
+pub(crate) use {
+    nearest::{on_sphere, ray},
+    settled::aspect,
+    thesis::normalised,
+};

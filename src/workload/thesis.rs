@@ -47,7 +47,7 @@ pub(super) fn length(v: Vec3) -> f32 {
 }
 
 /// `v / |v|`; 0 for a vector whose length is 0.
-pub(super) fn normalised(v: Vec3) -> Vec3 {
+pub(crate) fn normalised(v: Vec3) -> Vec3 {
     let length = length(v);
     if length > 0.0 { Vec3::new(v.x / length, v.y / length, v.z / length) } else { Vec3::ZERO }
 }
