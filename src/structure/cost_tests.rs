@@ -54,7 +54,7 @@ fn a_volume_leaves_a_share_and_lists_stay_linear() {
     let (triangles, rays) = (soup(300, 0.05), lines(400, 3.0));
     let list = counts_of("list", &triangles, &rays);
     assert_eq!((list.rays, list.triangles, list.share_passed()), (400, 400 * 300, None));
-    for id in ["sphere", "box", "slabs", "sphere-and-box"] {
+    for id in &BOUNDED[1..] {
         let bounded = counts_of(id, &triangles, &rays);
         assert_eq!((bounded.volumes, bounded.hits), (400, list.hits));
         assert_eq!(bounded.triangles, bounded.passed * 300);
@@ -85,6 +85,31 @@ fn what_is_sorted_by_distance_ends_early() {
     assert_eq!(sorted.hits, all.hits);
     assert!(sorted.triangles * 8 < all.triangles, "{sorted:?} {all:?}");
 }
+
+#[test]
+fn what_is_near_is_looked_at_first() {
+    // Squares behind each other, seen from both ends.
+    let square = |layer: u32| {
+        let at = |x: f32, y: f32| Vec3::new(x, y, layer as f32);
+        let (a, b, c, d) = (at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0));
+        [Triangle { a, b, c }, Triangle { a, b: c, c: d }]
+    };
+    let triangles: Vec<Triangle> = (0..256).flat_map(square).collect();
+    let ray = |z: f32, direction: Vec3| {
+        let origin = Vec3::new(0.7, 0.3, z);
+        Ray { origin, direction, end: origin + direction, t_min: 0.0, t_max: f32::MAX }
+    };
+    let rays = [ray(-9.0, Vec3::Z), ray(300.0, -Vec3::Z)];
+    for kind in KINDS.iter().filter(|kind| !BOUNDED.contains(&kind.id)) {
+        let counts = counts_of(kind.id, &triangles, &rays);
+        assert_eq!(counts.hits, 2, "{}", kind.id);
+        // Of 512 each; an object of the list of volumes has up to 16.
+        assert!(counts.triangles <= 2 * 16, "{} {counts:?}", kind.id);
+    }
+}
+
+/// Those that test everything or nothing.
+const BOUNDED: [&str; 5] = ["list", "sphere", "box", "slabs", "sphere-and-box"];
 
 #[test]
 fn cells_are_most_in_a_grid_and_fewest_in_a_kd_tree() {

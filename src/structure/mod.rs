@@ -58,7 +58,7 @@ pub use hierarchy::{Chance, Hierarchy};
 pub use insertion::inserted;
 pub use kd_tree::KdTree;
 pub use kind::{KINDS, Kind, kind};
-pub use leaf::{KernelLeaf, Leaf};
+pub use leaf::{KernelLeaf, Leaf, ListingLeaf};
 pub use list::List;
 pub use octree::Octree;
 pub use ready_made::from_obvhs;

@@ -4,7 +4,7 @@
 mod scenes;
 
 use ray_test::oracle::nearest;
-use ray_test::registry::{LeafForm, leaves, wide_forms};
+use ray_test::registry::{LeafForm, find, leaves, wide_forms};
 use ray_test::structure::{Excuse, Hit, KINDS, Kind, List, SLACK, Search, excuse};
 use ray_test::workload::{Kind as Rays, NearestSet, NearestSpec, Ray, Triangle};
 
@@ -96,12 +96,12 @@ fn beyond_doubt_every_kernel_in_every_structure_is_right() {
     for kind in [Rays::Random, Rays::Coherent] {
         let (triangles, rays, truth) = beyond_doubt(kind);
         assert!(truth.iter().flatten().count() > 48);
+        let built: Vec<_> = KINDS.iter().map(|kind| (kind.build)(&triangles)).collect();
         // The sum of angles claims no exactness.
         for form in leaves().iter().filter(|form| form.about.id != "angle-sum" && !form.is_segment)
         {
             let mut search = Search::new((form.prepare)(&triangles));
-            for kind in &KINDS {
-                let structure = (kind.build)(&triangles);
+            for (kind, structure) in KINDS.iter().zip(&built) {
                 for (ray, truth) in rays.iter().zip(&truth) {
                     let found = search.nearest(structure.as_ref(), ray);
                     let found = found.map(|hit| hit.triangle as usize);
@@ -142,6 +142,7 @@ fn leaves_are_named_as_the_timed_forms_are() {
     assert_eq!(ids.len(), count);
     for form in leaves() {
         assert_eq!(form.about.id, form.axes.kernel);
+        assert!(find(&form.axes.id()).is_some(), "{}", form.axes.id());
         assert!((form.prepare)(&[]).triangles() == 0);
     }
 }
