@@ -8,7 +8,8 @@
 //!  stats ────> measure <─ job ──────────────────────────────┘                 waist ─> compare ──┘
 //! ```
 //! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
-//! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock;
+//! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock; [`scene`] reads
+//! meshes, draws rays for them, and says what both are like;
 //! [`doctor`] measures a kernel against copies of itself, to tell what the machine is good for.
 //! The modules below stand in reading order.
 //!
@@ -120,6 +121,9 @@ pub mod compare;
 
 #[cfg(feature = "cli")]
 pub mod stability;
+
+#[cfg(feature = "cli")]
+pub mod scene;
 
 #[cfg(feature = "cli")]
 pub mod experiment;

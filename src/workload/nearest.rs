@@ -209,7 +209,7 @@ fn flat_triangle(source: &mut Pcg) -> Triangle {
 
 /// A point of the unit sphere: a point of the cube that is in the ball but not near its centre,
 /// divided by its length.
-fn on_sphere(source: &mut Pcg) -> Vec3 {
+pub(crate) fn on_sphere(source: &mut Pcg) -> Vec3 {
     loop {
         let x = 2.0 * source.unit() - 1.0;
         let y = 2.0 * source.unit() - 1.0;
@@ -253,7 +253,7 @@ fn near(point: Vec3, spread: f32, source: &mut Pcg) -> Vec3 {
 }
 
 /// From t = 0 to the largest number, and a segment of that length.
-pub(super) fn ray(origin: Vec3, direction: Vec3, length: f32) -> Ray {
+pub(crate) fn ray(origin: Vec3, direction: Vec3, length: f32) -> Ray {
     Ray { origin, direction, end: origin + direction * length, t_min: 0.0, t_max: f32::MAX }
 }
 

@@ -42,12 +42,12 @@ pub(super) fn point(source: &mut impl Unit) -> Vec3 {
 }
 
 /// Length in f32, by plain sums and a square root (a vector type's own may fuse or reorder).
-pub(super) fn length(v: Vec3) -> f32 {
+pub(crate) fn length(v: Vec3) -> f32 {
     (v.x * v.x + v.y * v.y + v.z * v.z).sqrt()
 }
 
 /// `v / |v|`; 0 for a vector whose length is 0.
-pub(super) fn normalised(v: Vec3) -> Vec3 {
+pub(crate) fn normalised(v: Vec3) -> Vec3 {
     let length = length(v);
     if length > 0.0 { Vec3::new(v.x / length, v.y / length, v.z / length) } else { Vec3::ZERO }
 }

@@ -12,3 +12,4 @@ mod tests;
 pub use answers::{Answered, Answers};
 pub use cases::Cases;
 pub use error::ReadError;
+pub(crate) use records::{Records, Schema};
