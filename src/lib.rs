@@ -82,6 +82,9 @@ pub mod job;
 
 pub mod bound;
 
+#[cfg(feature = "cli")]
+pub mod structure;
+
 pub mod registry;
 
 pub mod counting;
