@@ -25,16 +25,17 @@ mod sharing;
 mod stream;
 mod tiles_job;
 
+pub use aligned::Aligned;
 pub use arithmetic::{ArithmeticJob, OPERATIONS};
 pub use batches::Batches;
 pub use best::Best;
 pub use bundle::Bundle;
 pub use data::{LoopOver, PairsJob, PairsLoop, widened};
-pub use group::Group;
+pub use group::{Group, Packed, everywhere};
 pub use kind::{Kind, PLACES, mix};
 pub use layout::{Aos, Aosoa, Layout, Soa};
 pub use listed::Listed;
-pub use nearest::{Nearest, WIDEST, step};
+pub use nearest::{Nearest, WIDEST, align_frame, places, step};
 pub use nearest_job::{NearestJob, NearestLoop, Shape, Storing};
 pub use pairs::Pairs;
 #[cfg(feature = "peers")]

@@ -9,7 +9,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use fearless_simd::{Select, Simd, SimdFloat, SimdMask};
 
-use super::{Element, Mask, Real, Toggle};
+use super::{Element, Extremes, Mask, Real, Toggle};
 
 /// A vector register (or several) of floats of level `S`, seen as one number.
 #[derive(Clone, Copy)]
@@ -152,5 +152,24 @@ where
     #[inline(always)]
     fn toggled(self, bits: Self) -> Self {
         Lanes(V::from_bits(self.0.to_bits() ^ bits.0.to_bits()), PhantomData)
+    }
+}
+
+impl<S, V> Extremes for Lanes<S, V>
+where
+    S: Simd,
+    V: SimdFloat<S, Element: Element>,
+{
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Lanes(self.0.max(other.0), PhantomData)
+    }
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        Lanes(self.0.min(other.0), PhantomData)
+    }
+    #[inline(always)]
+    fn bits(mask: Self::Mask) -> u64 {
+        mask.0.to_bitmask()
     }
 }

@@ -15,6 +15,7 @@
 
 mod axis;
 mod counted;
+mod extremes;
 mod flushed;
 mod lanes;
 mod precision;
@@ -27,6 +28,7 @@ mod vector;
 
 pub use axis::{Axis, dominant};
 pub use counted::{Counted, Operations, count};
+pub use extremes::Extremes;
 pub use flushed::Flushed;
 pub use lanes::{LaneMask, Lanes};
 pub use precision::{Precision, exponent, power_of_two};

@@ -93,13 +93,7 @@ impl Job for StructureJob {
                 let triangle = search.any(structure, ray).then_some(0);
                 return Answer { triangle, ..Answer::default() };
             }
-            search.nearest(structure, ray).map_or_else(Answer::default, |hit| Answer {
-                triangle: Some(hit.triangle as usize),
-                t: hit.t.into(),
-                u: hit.u.into(),
-                v: hit.v.into(),
-                ..Answer::default()
-            })
+            search.nearest(structure, ray).map_or_else(Answer::default, Answer::from)
         };
         self.original.iter().map(&mut answer).collect()
     }

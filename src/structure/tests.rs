@@ -8,9 +8,9 @@ use crate::policy::{
 use crate::workload::{Pcg, Ray, Triangle};
 use glam::Vec3;
 
-type Of<L> = Form<Early, Last, Plain, Tuv, TwoSided, Compare, L, Between>;
+pub type Of<L> = Form<Early, Last, Plain, Tuv, TwoSided, Compare, L, Between>;
 
-fn leaf<K: Kernel, L: Leading>(triangles: &[Triangle]) -> Box<dyn Leaf> {
+pub fn leaf<K: Kernel, L: Leading>(triangles: &[Triangle]) -> Box<dyn Leaf> {
     Box::new(KernelLeaf::<K, Of<L>>::new(triangles, K::ABOUT.id == "chirkov"))
 }
 
@@ -32,7 +32,7 @@ fn point(pcg: &mut Pcg) -> Vec3 {
 }
 
 /// Triangles of that size anywhere.
-fn soup(count: usize, size: f32) -> Vec<Triangle> {
+pub fn soup(count: usize, size: f32) -> Vec<Triangle> {
     let mut pcg = Pcg::new(5);
     let mut one = || {
         let place = point(&mut pcg);
@@ -44,7 +44,7 @@ fn soup(count: usize, size: f32) -> Vec<Triangle> {
 
 /// The surface of a cube of whole numbers, two triangles to a square: shared edges and vertices, flat
 /// sides, and planes of cells that hold whole faces.
-fn cube(side: i32) -> Vec<Triangle> {
+pub fn cube(side: i32) -> Vec<Triangle> {
     let mut triangles = Vec::new();
     for axis in 0..3 {
         for height in [-side, side] {
@@ -68,7 +68,7 @@ fn cube(side: i32) -> Vec<Triangle> {
 }
 
 /// Points, lines, needles, copies, and what is not finite.
-fn odd() -> Vec<Triangle> {
+pub fn odd() -> Vec<Triangle> {
     let mut triangles = soup(60, 0.5);
     let mut pcg = Pcg::new(6);
     for index in 0..40 {
@@ -86,7 +86,7 @@ fn odd() -> Vec<Triangle> {
 
 /// Rays at corners, edges and insides from everywhere; along axes; in planes; from inside; from far away;
 /// with directions of all lengths.
-fn rays(triangles: &[Triangle], count: usize) -> Vec<Ray> {
+pub fn rays(triangles: &[Triangle], count: usize) -> Vec<Ray> {
     let mut pcg = Pcg::new(7);
     let size = triangles.iter().filter(|one| one.a.is_finite()).map(|one| one.a.abs().max_element());
     let size = size.fold(1.0, f32::max);
@@ -104,7 +104,7 @@ fn rays(triangles: &[Triangle], count: usize) -> Vec<Ray> {
             0 => (target + axis * size * 3.0, -axis),
             1 => (target - axis * size * 0.25, axis * Vec3::new(1.0, -1.0, 1.0)),
             2 => (point(&mut pcg).round() * size * 2.0, point(&mut pcg).round()),
-            3 => (point(&mut pcg) * size * 1e7, Vec3::ZERO),
+            3 => (point(&mut pcg) * size * 500.0, Vec3::ZERO),
             4 => (point(&mut pcg) * size * 0.5, Vec3::ZERO),
             5 => (target, point(&mut pcg)),
             _ => (point(&mut pcg) * size * 3.0, Vec3::ZERO),
@@ -187,8 +187,8 @@ fn structures_answer_as_the_list_does_on_large_triangles() {
 #[test]
 fn structures_answer_as_the_list_does_on_a_closed_mesh() {
     let triangles = cube(4);
-    let seen = agree(&triangles, &rays(&triangles, 720));
-    assert!(seen.hits > 1500 && seen.ties > 300, "{seen:?}");
+    let seen = agree(&triangles, &rays(&triangles, 360));
+    assert!(seen.hits > 800 && seen.ties > 150, "{seen:?}");
 }
 
 #[test]

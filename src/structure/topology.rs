@@ -32,10 +32,25 @@ impl Topology {
         &self.nodes[node]
     }
 
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether it is a tree of nothing.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
     /// The triangles of every leaf, children in order.
     pub fn leaves(&self) -> Vec<&[u32]> {
+        self.root().map_or_else(Vec::new, |root| self.leaves_below(root))
+    }
+
+    /// The triangles of every leaf below a node, children in order.
+    pub fn leaves_below(&self, node: usize) -> Vec<&[u32]> {
         let mut leaves = Vec::new();
-        let mut stack: Vec<usize> = self.root().into_iter().collect();
+        let mut stack = vec![node];
         while let Some(node) = stack.pop() {
             match &self.nodes[node] {
                 Branch::Leaf(triangles) => leaves.push(triangles.as_slice()),
@@ -43,5 +58,19 @@ impl Topology {
             }
         }
         leaves
+    }
+
+    /// All nodes below the root and the root, children before their parents.
+    pub fn children_first(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = self.root().into_iter().collect();
+        let mut next = 0;
+        while next < order.len() {
+            if let Branch::Inner(children) = &self.nodes[order[next]] {
+                order.extend(children);
+            }
+            next += 1;
+        }
+        order.reverse();
+        order
     }
 }
