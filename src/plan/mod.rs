@@ -1,0 +1,33 @@
+//! What a mesh and its rays need of a test, and what can be left out: looked at, measured, proved.
+//!
+//! ```text
+//!  mesh, rays ─> Looks ─┐
+//!  default variant on all rays ─> Pilot ─┼─> Situation ─> pieces: needed, or spare ─┐
+//!  structures, preparing, timed ─────────┘                                          ├─> Plan ─> proof
+//!  forms side by side on a sample ─> Finals ────────────────────────────────────────┘    └─ back ─┘
+//! ```
+//! A piece is a file in [`pieces`] and a line in its list. What decides knows nothing of a clock or of
+//! the registry: [`settle`] takes times and a way to ask for answers. [`run`](fn@run) brings those.
+
+mod evidence;
+mod form;
+mod nearby;
+mod outcome;
+mod piece;
+mod pieces;
+mod proof;
+mod rays;
+mod settle;
+mod situation;
+#[cfg(test)]
+mod tests;
+mod usage;
+
+pub use evidence::Saving;
+pub use form::{Form, Output};
+pub use outcome::{Kept, LeftOut, Plan, Report};
+pub use piece::{Look, Piece};
+pub use pieces::PIECES;
+pub use proof::Answers;
+pub use settle::Settled;
+pub use usage::{Source, Use, Wanted};
