@@ -132,6 +132,9 @@ pub mod scene;
 pub mod experiment;
 
 #[cfg(feature = "cli")]
+pub mod plan;
+
+#[cfg(feature = "cli")]
 pub mod doctor;
 
 #[cfg(feature = "cli")]

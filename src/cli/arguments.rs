@@ -7,6 +7,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use super::baseline::Baselines;
 use super::check::{self, Check};
 use super::compare::Compare;
+use super::scene::{self, Scene};
 use super::slips::slip;
 use super::stability::{self, Stability};
 use crate::experiment::Profile;
@@ -101,6 +102,9 @@ pub enum Verb {
     /// Put cases of your own through every kernel, against the exact answer
     #[command(after_help = check::HELP)]
     Check(Check),
+    /// Tell what a mesh and its rays need of a test, what can be left out, and what that saves
+    #[command(after_help = scene::HELP)]
+    Scene(Scene),
 }
 
 /// `ray_test run`

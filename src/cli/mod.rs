@@ -18,6 +18,8 @@ mod interrupt;
 mod list;
 mod lock;
 mod progress;
+mod scene;
+mod scene_text;
 mod show;
 mod slices;
 mod slips;
@@ -54,7 +56,7 @@ pub fn main() -> ExitCode {
 
 fn run(arguments: Arguments) -> Result<(), Failure> {
     let measures =
-        |verb: &Verb| matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_));
+        |verb: &Verb| matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Scene(_));
     if arguments.verb.as_ref().is_none_or(measures) {
         addresses::settle();
     }
@@ -67,5 +69,6 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Compare(compare)) => compare::run(&compare),
         Some(Verb::Stability(stability)) => stability::run(&stability),
         Some(Verb::Check(check)) => check::run(&check),
+        Some(Verb::Scene(scene)) => scene::run(&scene),
     }
 }

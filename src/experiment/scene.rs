@@ -125,6 +125,11 @@ impl Scene {
         Ok(Scene { facts, rays: set.rays, triangles: set.triangles, truth })
     }
 
+    /// Rays and triangles of somewhere else, every ray against every triangle.
+    pub fn given(facts: Facts, rays: Vec<Ray>, triangles: Vec<Triangle>) -> Self {
+        Scene { facts, rays, triangles, truth: Exactly::Nearest(OnceCell::new()) }
+    }
+
     /// Whether it is rays against all triangles.
     pub fn is_nearest(&self) -> bool {
         matches!(self.truth, Exactly::Nearest(_))

@@ -7,16 +7,22 @@
 //!  forms side by side on a sample ─> Finals ────────────────────────────────────────┘    └─ back ─┘
 //! ```
 //! A piece is a file in [`pieces`] and a line in its list. What decides knows nothing of a clock or of
-//! the registry: [`settle`] takes times and a way to ask for answers. [`run`](fn@run) brings those.
+//! the registry: [`settle`] takes times and a way to ask for answers. [`Task`] brings those.
 
+mod contest;
 mod evidence;
 mod form;
 mod nearby;
 mod outcome;
+mod paths;
 mod piece;
 mod pieces;
+mod pilot;
+mod prepare;
 mod proof;
 mod rays;
+mod run;
+mod sample;
 mod settle;
 mod situation;
 #[cfg(test)]
@@ -29,5 +35,6 @@ pub use outcome::{Kept, LeftOut, Plan, Report};
 pub use piece::{Look, Piece};
 pub use pieces::PIECES;
 pub use proof::Answers;
+pub use run::{Found, Outcome, Task};
 pub use settle::Settled;
 pub use usage::{Source, Use, Wanted};

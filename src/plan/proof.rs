@@ -139,3 +139,12 @@ fn is_lost(
         }),
     }
 }
+
+/// Whether a ray hits two of the triangles at distances that are apart by no more than outputs may err.
+pub fn has_ties(ray: &Ray, triangles: &[Triangle], reported: Reported) -> bool {
+    let hits = triangles.iter().filter_map(|triangle| exact_of(ray, triangle));
+    let mut reach: Vec<(f64, f64)> =
+        hits.map(|(query, exact)| (exact.t, limit(&query, &exact, reported))).collect();
+    reach.sort_by(|a, b| a.0.total_cmp(&b.0));
+    reach.windows(2).any(|two| two[1].0 - two[0].0 <= two[0].1 + two[1].1)
+}

@@ -4,7 +4,7 @@ use super::usage::{Source, Wanted};
 use crate::check::read::ReadError;
 use crate::scene::mesh::Mesh;
 use crate::scene::rays::{Plan as Drawing, Rays};
-use crate::workload::{Pcg, Ray, Triangle, Unit, on_sphere};
+use crate::workload::{Pcg, Ray, Triangle, on_sphere};
 use glam::{DVec3, Vec3};
 
 /// Pixels along each side of a camera's picture; random rays are as many as pixels.
