@@ -70,13 +70,17 @@ pub fn default_variant(output: Output, watertight: bool, in_f64: bool) -> Option
         })
 }
 
-/// The forms that may become the plan: those that yield what is wanted and do what `needed` says. What
+/// The forms that may become the plan: those of a precision that yield what is wanted and do what `needed` says. What
 /// culls or projects along one axis exists with u and v only.
-pub fn candidates(output: Output, needed: &dyn Fn(&Form) -> bool) -> Vec<&'static Variant> {
+pub fn candidates(
+    output: Output,
+    in_f64: bool,
+    needed: &dyn Fn(&Form) -> bool,
+) -> Vec<&'static Variant> {
     let level = level();
     let fits = |variant: &&'static Variant| {
         let axes = &variant.axes;
-        let single = is_plain(axes) && axes.level == level && variant.nearest.is_some();
+        let single = is_plain(axes) && axes.level == level && variant.pairs.is_some() && variant.nearest.is_some();
         let known = !variant.is_peer() && axes.kernel != SEGMENTS && variant.claims_exactness();
         let other_edges = !["", Fallback::NAME, NoFallback::NAME].contains(&axes.edges);
         let Some(form) = form(variant).filter(|_| single && known && !other_edges) else {
@@ -84,7 +88,7 @@ pub fn candidates(output: Output, needed: &dyn Fn(&Form) -> bool) -> Vec<&'stati
         };
         let special = form.culls || form.projects_along_z;
         let enough = form.output == output || (special && form.output > output);
-        enough && needed(&form)
+        enough && form.in_f64 == in_f64 && needed(&form)
     };
     variants().iter().filter(fits).collect()
 }

@@ -7,7 +7,7 @@ use super::situation::Paths;
 use crate::experiment::{Bench, Trouble, put_group};
 use crate::job::Job;
 use crate::kernels::MollerTrumbore;
-use crate::measure::{Chain, Contestant, Figures, Order, Role};
+use crate::measure::{Chain, Contestant, Figures, Order, Protocol, Role};
 use crate::policy::{Between, Compare, Early, Form, Inside, Last, Plain, Tuv, TwoSided};
 use crate::rows::of_variant;
 use crate::structure::{KernelLeaf, StructureJob, kind};
@@ -25,6 +25,8 @@ const BOXED: &str = "box";
 const HIERARCHIES: [&str; 2] = ["surface", "obvhs"];
 /// A list of more triangles is not timed: it takes some hundred times as long as any hierarchy.
 const LONGEST_LIST: usize = 8192;
+/// No pass takes longer: that many triangles and rays, some ns each.
+const LONGEST_PASS_NS: u64 = 100_000_000;
 /// Rays that are timed, drawn from all.
 const RAYS: usize = 256;
 /// Purpose of the generator.
@@ -70,7 +72,7 @@ pub fn time(
     }
     let chain: Box<dyn Job> = Box::new(Chain::default());
     contestants.push(Contestant::new("chain", Role::Chain, chain));
-    let report = bench.measure(&mut contestants, Order::Reshuffled, seed)?;
+    let report = bench.measure_as(&mut contestants, &whole_passes(bench.rounds, seed))?;
     for (row, figures) in rows.iter_mut().zip(&report.figures) {
         put_group(row, figures, &report, "ok");
     }
@@ -87,6 +89,12 @@ pub fn time(
         |paths| paths.tests_in_hierarchy,
     );
     Ok(Walked { rows, paths, tests_per_ray })
+}
+
+/// A block is a pass over all drawn rays: they differ so much that a part of them is not like another.
+fn whole_passes(rounds: usize, seed: u64) -> Protocol {
+    let usual = Protocol::new(Order::Reshuffled, seed);
+    Protocol { rounds, exact_rounds: true, block_ns: LONGEST_PASS_NS, ..usual }
 }
 
 /// Figures, ns, tests a ray.

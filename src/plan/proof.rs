@@ -2,7 +2,7 @@
 
 use crate::accuracy::{Reported, judge_nearest};
 use crate::job::Answer;
-use crate::oracle::{Exact, Query, condition, output_error_limit, solve};
+use crate::oracle::{Exact, Query, classify, condition, output_error_limit, solve};
 use crate::workload::{Ray, Triangle};
 
 /// The exact nearest hit of a ray.
@@ -117,8 +117,7 @@ fn limit(query: &Query, exact: &Exact, reported: Reported) -> f64 {
 /// The exact answer about a triangle that is hit.
 fn exact_of(ray: &Ray, triangle: &Triangle) -> Option<(Query, Exact)> {
     let query = Query::of(ray, triangle);
-    let exact = solve(&query);
-    exact.class.is_hit().then_some((query, exact))
+    classify(&query).is_hit().then(|| (query, solve(&query)))
 }
 
 /// Whether a ray was lost: it meets a triangle, and what was found is nothing, or behind that.

@@ -3,7 +3,7 @@
 use super::usage::{Source, Wanted};
 use crate::check::read::ReadError;
 use crate::scene::mesh::Mesh;
-use crate::scene::rays::{Plan as Drawing, Rays};
+use crate::scene::rays::{Asked, OFFSET, Plan as Drawing, Rays};
 use crate::workload::{Pcg, Ray, Triangle, on_sphere};
 use glam::{DVec3, Vec3};
 
@@ -17,9 +17,10 @@ const STEP: f64 = 0.125;
 const MOST_PAIRS: usize = (SIDE * SIDE) as usize;
 /// How often a pair that faces away is drawn again, per pair that is wanted.
 const ATTEMPTS: usize = 8;
-/// Rays start, and end, off their patch by so much of its distance to the other: 64 unit roundoffs,
-/// as [`crate::scene::rays::OFFSET`] has it of coordinates.
-const OFF_PATCH: f64 = 64.0 * (f32::EPSILON as f64 / 2.0);
+/// Pixels of a picture: those that are asked are a part of it.
+const PICTURE: u64 = 1920 * 1080;
+/// Unit roundoff of f32.
+const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
 /// Purposes of the generator.
 const STEPS: u64 = 101;
 const SIGHTS: u64 = 102;
@@ -29,7 +30,7 @@ const PATCHES: u64 = 103;
 pub struct Crowd {
     /// Those that are asked.
     pub rays: Vec<Ray>,
-    /// As many as the use has: more than are asked, where not all pairs of patches are.
+    /// As many as the use has: of a picture more than are asked, and of all pairs of patches.
     pub in_use: u64,
 }
 
@@ -47,7 +48,11 @@ pub fn draw(
     let mut rays = match &wanted.source {
         Source::Rays(asked) => {
             let drawing = Drawing { width: SIDE, height: SIDE, per_point: 1, seed };
-            Rays::of(asked, mesh, drawing, nearest)?.rays
+            let rays = Rays::of(asked, mesh, drawing, nearest)?.rays;
+            if matches!(asked, Asked::Primary | Asked::Shadow | Asked::Ambient) {
+                in_use = Some(rays.len() as u64 * PICTURE / u64::from(SIDE * SIDE));
+            }
+            rays
         }
         Source::Steps => segments(mesh, &mut Pcg::stream(seed, STEPS), step),
         Source::Sights => segments(mesh, &mut Pcg::stream(seed, SIGHTS), sight),
@@ -86,7 +91,7 @@ fn segments(
     let mut one = || {
         let from = point(source);
         let to = to(from, &point, reach, source);
-        between(from, to, 0.0)
+        between(from, to)
     };
     (0..SEGMENTS).filter_map(|_| one()).collect()
 }
@@ -101,19 +106,12 @@ fn sight(_: DVec3, point: &dyn Fn(&mut Pcg) -> DVec3, _: f64, source: &mut Pcg) 
     point(source)
 }
 
-/// A ray with a direction of length 1 that starts and ends `off` of its length from both points.
-fn between(from: DVec3, to: DVec3, off: f64) -> Option<Ray> {
+/// A ray from one point to another, with a direction of length 1.
+fn between(from: DVec3, to: DVec3) -> Option<Ray> {
     let (way, length) = (to - from, (to - from).length());
     let direction = (way / length).as_vec3();
-    let origin = (from + way * off).as_vec3();
-    let ray = Ray {
-        origin,
-        direction,
-        end: to.as_vec3(),
-        t_min: 0.0,
-        t_max: (length * (1.0 - 2.0 * off)) as f32,
-    };
-    (length > 0.0 && direction.is_finite()).then_some(ray)
+    let (origin, end, t_max) = (from.as_vec3(), to.as_vec3(), length as f32);
+    (length > 0.0 && direction.is_finite()).then_some(Ray { origin, direction, end, t_min: 0.0, t_max })
 }
 
 /// All pairs of patches that face each other, or a drawn part of them: a pair that does not has a form
@@ -148,16 +146,17 @@ fn facing(list: &[Triangle], source: &mut Pcg) -> Vec<Ray> {
 }
 
 fn pair(from: &Triangle, to: &Triangle) -> Option<Ray> {
-    let (start, end) = (centre(from), centre(to));
+    let (start, end) = (above(from)?, above(to)?);
     let way = end - start;
     let faces = normal(from).dot(way) > 0.0 && normal(to).dot(way) < 0.0;
-    if !faces {
-        return None;
-    }
-    // Off both patches by their place, whose rounding is what can bury a start.
-    let largest = |p: DVec3| p.abs().max_element();
-    let off = OFF_PATCH * largest(start).max(largest(end)) / way.length();
-    between(start, end, (off + OFF_PATCH).min(0.25))
+    if faces { between(start, end) } else { None }
+}
+
+/// The centre of a patch, off it to the front as shadow rays start.
+fn above(patch: &Triangle) -> Option<DVec3> {
+    let largest = [patch.a, patch.b, patch.c].map(|p| p.abs().max_element()).into_iter();
+    let off = OFFSET * UNIT_ROUNDOFF * f64::from(largest.fold(0.0, f32::max));
+    Some(centre(patch) + normal(patch).try_normalize()? * off)
 }
 
 fn centre(triangle: &Triangle) -> DVec3 {

@@ -7,7 +7,7 @@ use super::pilot::{self, Asking, Way};
 use super::prepare::{self, Stores};
 use super::proof::{Answers, Exactly};
 use super::rays::{self, Crowd};
-use super::sample;
+use super::sample::{self, Arrangement};
 use super::settle::{Finals, Looked, Settled, settle};
 use super::situation::{Crowding, Situation};
 use super::{Form, Report, Wanted, paths};
@@ -124,9 +124,10 @@ impl<'a> Task<'a> {
         let Some(default) = contest::default_variant(output, tight, pilot.too_coarse > 0) else {
             return Ok(None);
         };
+        let flat = asking.goes_through_all(&situation);
         let sample = sample::draw(
-            &self.crowd.rays,
-            &exactly.nearest,
+            if flat { Arrangement::Nearest } else { Arrangement::Pairs },
+            (&self.crowd.rays, &exactly.nearest),
             asking.nearby,
             self.seed,
             &mut |ray, triangles| pilot::is_plain(default, ray, triangles),
@@ -139,11 +140,14 @@ impl<'a> Task<'a> {
             seed: self.seed,
             ..Facts::default()
         };
-        let scene = Scene::given(facts, sample.rays, sample.triangles);
+        let scene = match sample.arrangement {
+            Arrangement::Nearest => Scene::given(facts, sample.rays, sample.triangles),
+            Arrangement::Pairs => Scene::given_pairs(facts, sample.rays, sample.triangles),
+        };
         let Some(contested) = contested(&mut situation, default, &scene, bench, rows)? else {
             return Ok(None);
         };
-        if asking.goes_through_all(&situation) {
+        if flat {
             asking.way = Way::List;
         }
         let settled = settled(&situation, &contested, default, &mut asking);
@@ -160,6 +164,9 @@ impl<'a> Task<'a> {
 
 /// Groups that are timed, more or less: paths, pairs, heats, preparing, finals.
 const GROUPS: usize = 8;
+
+/// Triangles that are prepared: corners and records fit the first cache.
+const PREPARED: usize = 256;
 
 /// What the contests on the sample gave.
 struct Contested {
@@ -182,7 +189,7 @@ fn contested(
         let mut pieces = PIECES.iter().zip(&looks);
         pieces.all(|(piece, is_spare)| *is_spare || !piece.is_left_out_by(form))
     };
-    let mut forms = contest::candidates(situation.wanted.output, &needed);
+    let mut forms = contest::candidates(situation.wanted.output, situation.pilot.too_coarse > 0, &needed);
     if !forms.iter().any(|form| std::ptr::eq(*form, default)) {
         forms.push(default);
     }
@@ -190,7 +197,8 @@ fn contested(
     let heats = contest::time(&forms, default, scene, bench)?;
     rows.extend(heats.rows.iter().cloned());
     let seed = scene.facts.seed;
-    let stores = prepare::time(&forms, &scene.triangles, seed, bench)?;
+    let some = &scene.triangles[..scene.triangles.len().min(PREPARED)];
+    let stores = prepare::time(&forms, some, seed, bench)?;
     let tests = situation.crowd.tests_per_triangle();
     let share = |variant: &Variant| share(&stores, variant, tests);
     let finalists = contest::finalists(&heats, &forms, default, &share);

@@ -4,80 +4,146 @@ use super::nearby::Nearby;
 use super::proof::Nearest;
 use crate::workload::{Pcg, Ray, Triangle};
 
-/// Triangles that every ray of the sample is tested against.
-const TRIANGLES: usize = 64;
-/// Where they come from: the leaves of so many rays, a like number of each. Rays of other places hardly
-/// meet them, and a sample of misses says nothing of hits.
-const PLACES: usize = 8;
-/// Rays, as in the experiments on rays and all triangles.
+/// Tests of a sample of pairs, as many as the experiments on pairs have.
+const PAIRS: usize = 4000;
+/// Fewer are too short a block for a clock; the same pairs stand in a sample again until there are more.
+const FEWEST_PAIRS: usize = 1000;
+/// Rays against all triangles, as the experiments on these have them.
 const RAYS: usize = 256;
 /// Purpose of the generator.
 const SAMPLE: u64 = 104;
 
-/// Rays against all of some triangles.
+/// What is tested against what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arrangement {
+    /// Ray i against triangle i: the tests of a search through a hierarchy.
+    Pairs,
+    /// Every ray against every triangle: where there is no hierarchy.
+    Nearest,
+}
+
+/// Rays and triangles of a scene.
 #[derive(Clone, Debug)]
 pub struct Sample {
-    /// Of the scene, in its order.
+    /// What is tested against what.
+    pub arrangement: Arrangement,
+    /// The rays.
     pub rays: Vec<Ray>,
-    /// All of the scene if there are no more than 64; else those of the leaves that eight drawn rays visit
-    /// before their hit.
+    /// The triangles.
     pub triangles: Vec<Triangle>,
 }
 
-/// Draws a sample: triangles, then rays that come near one of them, in a drawn order, as long as `suits`
-/// says that they have an answer beyond doubt among the triangles. Where there is no such ray, any will do.
+/// Draws rays, one after the other in a drawn order. Of a hierarchy, each with the triangles that it comes
+/// near on the way to its hit: those that a search tests, no others. A test is taken only where `suits`
+/// says that its answer is beyond doubt; where none is, any will do.
 pub fn draw(
-    rays: &[Ray],
-    nearest: &[Nearest],
+    arrangement: Arrangement,
+    (rays, nearest): (&[Ray], &[Nearest]),
     nearby: &mut Nearby<'_>,
     seed: u64,
     suits: &mut dyn FnMut(&Ray, &[Triangle]) -> bool,
 ) -> Sample {
-    let mut source = Pcg::stream(seed, SAMPLE);
-    let order = source.permutation(rays.len() as u32);
-    let chosen = chosen(rays, nearest, nearby, &order);
-    let triangles = nearby.taken(&chosen);
-    let mut places: Vec<u32> = Vec::new();
-    for place in &order {
-        let ray = &rays[*place as usize];
-        let is_near = nearby.of(ray).iter().any(|index| chosen.binary_search(index).is_ok());
-        if is_near && suits(ray, &triangles) {
-            places.push(*place);
-        }
-        if places.len() == RAYS {
-            break;
-        }
+    let order = Pcg::stream(seed, SAMPLE).permutation(rays.len() as u32);
+    let found = match arrangement {
+        Arrangement::Pairs => pairs((rays, nearest), nearby, &order, suits),
+        Arrangement::Nearest => all(rays, nearby, &order, suits),
+    };
+    if !found.rays.is_empty() {
+        return found;
     }
-    if places.is_empty() {
-        places.extend(order.iter().take(RAYS));
+    match arrangement {
+        Arrangement::Pairs => pairs((rays, nearest), nearby, &order, &mut |_, _| true),
+        Arrangement::Nearest => all(rays, nearby, &order, &mut |_, _| true),
     }
-    places.sort_unstable();
-    Sample { rays: places.iter().map(|place| rays[*place as usize]).collect(), triangles }
 }
 
-/// Indices of the triangles, ascending.
-fn chosen(rays: &[Ray], nearest: &[Nearest], nearby: &mut Nearby<'_>, order: &[u32]) -> Vec<u32> {
-    let all = nearby.triangles().len();
-    if all <= TRIANGLES {
-        return (0..all as u32).collect();
-    }
-    let mut chosen: Vec<u32> = Vec::new();
-    for place in order {
-        let (ray, hit) = (&rays[*place as usize], &nearest[*place as usize]);
-        // As far as a search goes that knows the hit.
-        let t_max = hit.as_ref().map_or(ray.t_max, |(_, exact)| (exact.t as f32).min(ray.t_max));
-        let near = nearby.of(&Ray { t_max, ..*ray });
-        let own = hit.as_ref().map(|(index, _)| *index as u32);
-        let fresh = own.into_iter().chain(near).filter(|index| !chosen.contains(index));
-        let mut fresh: Vec<u32> = fresh.take(TRIANGLES / PLACES).collect();
-        fresh.sort_unstable();
-        fresh.dedup();
-        chosen.extend(fresh);
-        if chosen.len() >= TRIANGLES {
+fn all(
+    rays: &[Ray],
+    nearby: &Nearby<'_>,
+    order: &[u32],
+    suits: &mut dyn FnMut(&Ray, &[Triangle]) -> bool,
+) -> Sample {
+    let triangles = nearby.triangles().to_vec();
+    let drawn = order.iter().map(|place| rays[*place as usize]);
+    let rays = drawn.filter(|ray| suits(ray, &triangles)).take(RAYS).collect();
+    Sample { arrangement: Arrangement::Nearest, rays, triangles }
+}
+
+fn pairs(
+    (rays, nearest): (&[Ray], &[Nearest]),
+    nearby: &mut Nearby<'_>,
+    order: &[u32],
+    suits: &mut dyn FnMut(&Ray, &[Triangle]) -> bool,
+) -> Sample {
+    let mut sample =
+        Sample { arrangement: Arrangement::Pairs, rays: Vec::new(), triangles: Vec::new() };
+    for place in order.iter().map(|place| *place as usize) {
+        let ray = rays[place];
+        // As far as a search goes that has found the hit; not less, whichever way the conversion rounds.
+        let hit = nearest[place].as_ref().map(|(_, exact)| (exact.t as f32).next_up());
+        let t_max = hit.map_or(ray.t_max, |t| t.min(ray.t_max));
+        let near = nearby.of(&Ray { t_max, ..ray });
+        for triangle in nearby.taken(&near) {
+            if suits(&ray, &[triangle]) {
+                sample.rays.push(ray);
+                sample.triangles.push(triangle);
+            }
+        }
+        if sample.rays.len() >= PAIRS {
             break;
         }
     }
-    chosen.truncate(TRIANGLES);
-    chosen.sort_unstable();
-    if chosen.is_empty() { (0..TRIANGLES as u32).collect() } else { chosen }
+    sample.rays.truncate(PAIRS);
+    sample.triangles.truncate(PAIRS);
+    let own = sample.rays.len();
+    while own > 0 && sample.rays.len() < FEWEST_PAIRS {
+        sample.rays.extend_from_within(..own);
+        sample.triangles.extend_from_within(..own);
+    }
+    sample
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::oracle::{Query, classify};
+    use crate::plan::rays::draw as draw_rays;
+    use crate::plan::usage::{Use, Wanted};
+    use crate::scene::built_in::named;
+
+    fn sample(model: &str, usage: Use, arrangement: Arrangement) -> Sample {
+        let mesh = named(model).expect("a name").expect("a size");
+        let list = mesh.list();
+        let mut nearby = Nearby::new(&list);
+        let wanted = Wanted::of(None, Some(usage), None);
+        let rays = draw_rays(&wanted, &mesh, 1, |_| None).expect("rays").rays;
+        let nearest: Vec<Nearest> = rays.iter().map(|ray| nearby.nearest(ray)).collect();
+        draw(arrangement, (&rays, &nearest), &mut nearby, 1, &mut |_, _| true)
+    }
+
+    #[test]
+    fn pairs_are_the_tests_of_a_search() {
+        let sample = sample("icosphere:3", Use::Raytracing, Arrangement::Pairs);
+        assert_eq!((sample.rays.len(), sample.triangles.len()), (PAIRS, PAIRS));
+        let hit = |(ray, triangle)| classify(&Query::of(ray, triangle)).is_hit();
+        let hits = sample.rays.iter().zip(&sample.triangles).filter(|pair| hit(*pair)).count();
+        // Each ray that meets the ball has one hit, among few others: it ends there.
+        assert!(hits > PAIRS / 10 && hits < PAIRS, "{hits}");
+    }
+
+    #[test]
+    fn few_pairs_stand_there_again() {
+        let sample = sample("terrain:16", Use::Collision, Arrangement::Pairs);
+        let count = sample.rays.len();
+        assert!((FEWEST_PAIRS..2 * FEWEST_PAIRS).contains(&count), "{count}");
+        assert_eq!(sample.triangles.len(), count);
+    }
+
+    #[test]
+    fn without_a_hierarchy_every_triangle_is_there() {
+        let sample = sample("cornell-box:1", Use::Raytracing, Arrangement::Nearest);
+        assert_eq!(sample.rays.len(), RAYS);
+        let mesh = named("cornell-box:1").expect("a name").expect("a size");
+        assert_eq!(sample.triangles, mesh.list());
+    }
 }

@@ -13,7 +13,7 @@ pub(super) const PRECOMPUTATION: Piece = Piece {
 fn look(situation: &Situation) -> Look {
     let tests = situation.crowd.tests_per_triangle();
     let Some(preparing) = &situation.preparing else {
-        return Look::Spare(format!("{tests:.1} tests a triangle; no form that prepares was timed"));
+        return Look::Spare(format!("a triangle takes part in {tests:.1} tests; no form that prepares does all that is needed"));
     };
     let (with, ns) = (&preparing.with, preparing.prepare_ns);
     let so_many = format!("a triangle takes part in {tests:.1} tests");

@@ -137,8 +137,8 @@ fn few_rays_prepare_nothing() {
         Some(Preparing { with, prepare_ns: 12.0, pays_from, saving: Some(saving(0.7)) })
     };
     situation.preparing = preparing(Some(5.0));
-    // 16384 rays, 4 tests each, 320 triangles.
-    assert_eq!(situation.crowd.tests_per_triangle(), 204.8);
+    // The rays of a picture, 4 tests each, 320 triangles.
+    assert_eq!(situation.crowd.tests_per_triangle(), 1920.0 * 1080.0 * 4.0 / 320.0);
     assert!(!look(&situation, "precomputation").is_spare());
     situation.crowd.in_use = 64;
     let few = look(&situation, "precomputation");

@@ -39,8 +39,8 @@ fn look(situation: &Situation) -> Look {
         return needed(format!("{inside} of {} rays start inside its box", rays.rays));
     }
     Look::Spare(format!(
-        "all {} edges belong to two triangles that face one side, all {} parts face outwards, and all {} \
-         rays start outside",
-        edges.manifold, edges.shells, rays.rays
+        "each of its {} edges belongs to two triangles that face one side, {} of {} closed parts face \
+         outwards, and all {} rays start outside",
+        edges.manifold, edges.outward, edges.shells, rays.rays
     ))
 }
