@@ -55,8 +55,9 @@ pub fn main() -> ExitCode {
 }
 
 fn run(arguments: Arguments) -> Result<(), Failure> {
-    let measures =
-        |verb: &Verb| matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Scene(_));
+    let measures = |verb: &Verb| {
+        matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Scene(_))
+    };
     if arguments.verb.as_ref().is_none_or(measures) {
         addresses::settle();
     }

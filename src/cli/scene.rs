@@ -16,7 +16,7 @@ use super::{interrupt, lock, progress, scene_text};
 use crate::check::read::ReadError;
 use crate::experiment::KeepNothing;
 use crate::measure::{Environment, Pin};
-use crate::plan::{Outcome, Output, Report, Task, Use, Wanted};
+use crate::plan::{Asking, Outcome, Output, Report, Task, Use, Wanted};
 use crate::scene::mesh::Mesh;
 use crate::scene::open;
 use crate::scene::rays::Asked;
@@ -98,7 +98,8 @@ pub fn run(arguments: &Scene) -> Result<(), Failure> {
     let wanted = wanted(arguments);
     let mesh = open(&arguments.model).map_err(refused)?;
     let triangles: Vec<Triangle> = mesh.list();
-    let task = Task::new(&mesh, &triangles, wanted, arguments.seed).map_err(refused)?;
+    let task =
+        Task::new(&mesh, &triangles, wanted, Asking::new(arguments.seed)).map_err(refused)?;
     let _lock = lock::take()?;
     let (mut instruments, environment) = Instruments::set_up(arguments.pin)?;
     let hash = hash(arguments, &environment);
@@ -199,11 +200,7 @@ fn json_of(report: &Report) -> Result<String, Failure> {
     text.map(|text| text + "\n").map_err(|error| Failure::Runtime(error.into()))
 }
 
-fn print(
-    report: &Report,
-    format: Format,
-    text: impl Fn() -> String,
-) -> Result<(), Failure> {
+fn print(report: &Report, format: Format, text: impl Fn() -> String) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     match format {
         Format::Text => out.write_all(text().as_bytes())?,

@@ -77,8 +77,10 @@ mod tests {
         let mut text = String::new();
         wrap(&mut text, &"eleven char ".repeat(30));
         assert!(text.lines().count() > 3);
-        assert!(text.lines().all(|line| line.len() <= WIDTH && line.starts_with("    e")
-            || line.starts_with("    c")));
+        assert!(
+            text.lines().all(|line| line.len() <= WIDTH && line.starts_with("    e")
+                || line.starts_with("    c"))
+        );
         assert_eq!(text.split_whitespace().count(), 60);
     }
 }

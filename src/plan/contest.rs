@@ -80,7 +80,10 @@ pub fn candidates(
     let level = level();
     let fits = |variant: &&'static Variant| {
         let axes = &variant.axes;
-        let single = is_plain(axes) && axes.level == level && variant.pairs.is_some() && variant.nearest.is_some();
+        let single = is_plain(axes)
+            && axes.level == level
+            && variant.pairs.is_some()
+            && variant.nearest.is_some();
         let known = !variant.is_peer() && axes.kernel != SEGMENTS && variant.claims_exactness();
         let other_edges = !["", Fallback::NAME, NoFallback::NAME].contains(&axes.edges);
         let Some(form) = form(variant).filter(|_| single && known && !other_edges) else {
@@ -185,7 +188,8 @@ pub fn finalists(
     ranked.iter().take(FASTEST).for_each(|(_, variant)| add(variant));
     for done_by in PIECES.iter().filter_map(|piece| piece.done_by) {
         for wanted in [false, true] {
-            let does = |variant: &Variant| form(variant).is_some_and(|form| done_by(&form) == wanted);
+            let does =
+                |variant: &Variant| form(variant).is_some_and(|form| done_by(&form) == wanted);
             if let Some((_, variant)) = ranked.iter().find(|(_, variant)| does(variant)) {
                 add(variant);
             }

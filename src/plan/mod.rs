@@ -35,6 +35,7 @@ pub use outcome::{Kept, LeftOut, Plan, Report};
 pub use piece::{Look, Piece};
 pub use pieces::PIECES;
 pub use proof::Answers;
+pub use rays::Asking;
 pub use run::{Found, Outcome, Task};
 pub use settle::Settled;
 pub use usage::{Source, Use, Wanted};

@@ -93,7 +93,7 @@ impl<'a> Nearby<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::rays::draw;
+    use crate::plan::rays::{Asking, draw};
     use crate::plan::usage::Wanted;
     use crate::scene::built_in::named;
     use crate::scene::rays::Asked;
@@ -106,7 +106,7 @@ mod tests {
             let list = mesh.list();
             let mut nearby = Nearby::new(&list);
             let wanted = Wanted::of(None, None, Some(Asked::Random));
-            let crowd = draw(&wanted, &mesh, 1, |_| None).expect("rays");
+            let crowd = draw(&wanted, &mesh, Asking::new(1), |_| None).expect("rays");
             for ray in crowd.rays.iter().step_by(97) {
                 let exact = oracle::nearest(ray, &list).map(|(index, exact)| (index, exact.t));
                 let found = nearby.nearest(ray).map(|(index, exact)| (index, exact.t));
@@ -122,7 +122,8 @@ mod tests {
         let mesh = named("icosphere:3").expect("a name").expect("a size");
         let list = mesh.list();
         let mut nearby = Nearby::new(&list);
-        let crowd = draw(&Wanted::of(None, None, None), &mesh, 1, |_| None).expect("rays");
+        let crowd =
+            draw(&Wanted::of(None, None, None), &mesh, Asking::new(1), |_| None).expect("rays");
         let middle = crowd.rays[64 * 128 + 64];
         assert!((2..list.len() / 4).contains(&nearby.of(&middle).len()));
         assert!(nearby.of(&Ray { direction: glam::Vec3::ZERO, ..middle }).is_empty());

@@ -15,7 +15,8 @@ use crate::table::Row;
 use crate::workload::{Pcg, Ray, Triangle, hash};
 
 /// The usual test, at the leaves.
-type Usual = KernelLeaf<MollerTrumbore, Form<Early, Last, Plain, Tuv, TwoSided, Compare, Inside, Between>>;
+type Usual =
+    KernelLeaf<MollerTrumbore, Form<Early, Last, Plain, Tuv, TwoSided, Compare, Inside, Between>>;
 
 /// Every triangle, one after the other.
 const LIST: &str = "list";
@@ -83,7 +84,8 @@ pub fn time(
     };
     let first = HIERARCHIES.iter().filter_map(|id| of(id));
     let hierarchy = first.min_by(|a, b| a.1.total_cmp(&b.1));
-    let paths = hierarchy.map(|(best, _, tests)| said(best, tests, of(LIST), of(BOXED), report.noise_floor));
+    let paths = hierarchy
+        .map(|(best, _, tests)| said(best, tests, of(LIST), of(BOXED), report.noise_floor));
     let tests_per_ray = paths.as_ref().map_or_else(
         || tests.last().copied().unwrap_or_default(),
         |paths| paths.tests_in_hierarchy,
@@ -113,14 +115,7 @@ fn said(best: &Figures, tests: f64, list: Walk<'_>, boxed: Walk<'_>, floor: f64)
 }
 
 /// A row about a structure: a "test" is a ray's whole way.
-fn row(
-    name: &str,
-    id: &str,
-    rays: &[Ray],
-    triangles: &[Triangle],
-    hits: u64,
-    seed: u64,
-) -> Row {
+fn row(name: &str, id: &str, rays: &[Ray], triangles: &[Triangle], hits: u64, seed: u64) -> Row {
     let variant = default_variant(Output::Tuv, false, false);
     Row {
         experiment: EXPERIMENT.into(),

@@ -7,14 +7,10 @@ use crate::scene::rays::{Asked, OFFSET, Plan as Drawing, Rays};
 use crate::workload::{Pcg, Ray, Triangle, on_sphere};
 use glam::{DVec3, Vec3};
 
-/// Pixels along each side of a camera's picture; random rays are as many as pixels.
-const SIDE: u32 = 128;
 /// Segments of simulations: orders of magnitude fewer than the rays of a picture (H 2.3).
 const SEGMENTS: usize = 64;
 /// The part of the diagonal that a fast and small thing moves in a step.
 const STEP: f64 = 0.125;
-/// Pairs of patches that are asked of all; a formula for all of them would be quadratic.
-const MOST_PAIRS: usize = (SIDE * SIDE) as usize;
 /// How often a pair that faces away is drawn again, per pair that is wanted.
 const ATTEMPTS: usize = 8;
 /// Pixels of a picture: those that are asked are a part of it.
@@ -25,6 +21,27 @@ const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
 const STEPS: u64 = 101;
 const SIGHTS: u64 = 102;
 const PATCHES: u64 = 103;
+
+/// How many rays are asked, and by which numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Asking {
+    /// Pixels along each side of a camera's picture. Random rays are as many as pixels, pairs of patches
+    /// at most as many.
+    pub side: u32,
+    /// Where the generator starts.
+    pub seed: u64,
+}
+
+impl Asking {
+    /// 128 x 128 pixels.
+    pub fn new(seed: u64) -> Self {
+        Asking { side: 128, seed }
+    }
+
+    fn pixels(self) -> usize {
+        (self.side * self.side) as usize
+    }
+}
 
 /// Rays, and how many there would be of them.
 pub struct Crowd {
@@ -41,16 +58,17 @@ pub struct Crowd {
 pub fn draw(
     wanted: &Wanted,
     mesh: &Mesh,
-    seed: u64,
+    asking: Asking,
     nearest: impl FnMut(&Ray) -> Option<u32>,
 ) -> Result<Crowd, ReadError> {
+    let Asking { side, seed } = asking;
     let mut in_use = None;
     let mut rays = match &wanted.source {
         Source::Rays(asked) => {
-            let drawing = Drawing { width: SIDE, height: SIDE, per_point: 1, seed };
+            let drawing = Drawing { width: side, height: side, per_point: 1, seed };
             let rays = Rays::of(asked, mesh, drawing, nearest)?.rays;
             if matches!(asked, Asked::Primary | Asked::Shadow | Asked::Ambient) {
-                in_use = Some(rays.len() as u64 * PICTURE / u64::from(SIDE * SIDE));
+                in_use = Some(rays.len() as u64 * PICTURE / asking.pixels() as u64);
             }
             rays
         }
@@ -59,7 +77,7 @@ pub fn draw(
         Source::Patches => {
             let patches = mesh.triangles.len() as u64;
             in_use = Some(patches * patches.saturating_sub(1));
-            pairs(mesh, &mut Pcg::stream(seed, PATCHES))
+            pairs(mesh, asking.pixels(), &mut Pcg::stream(seed, PATCHES))
         }
     };
     // Structures and leaves count what lies before the origin for nothing: a search is along a ray.
@@ -111,34 +129,40 @@ fn between(from: DVec3, to: DVec3) -> Option<Ray> {
     let (way, length) = (to - from, (to - from).length());
     let direction = (way / length).as_vec3();
     let (origin, end, t_max) = (from.as_vec3(), to.as_vec3(), length as f32);
-    (length > 0.0 && direction.is_finite()).then_some(Ray { origin, direction, end, t_min: 0.0, t_max })
+    (length > 0.0 && direction.is_finite()).then_some(Ray {
+        origin,
+        direction,
+        end,
+        t_min: 0.0,
+        t_max,
+    })
 }
 
 /// All pairs of patches that face each other, or a drawn part of them: a pair that does not has a form
 /// factor of 0 without any ray. Where no two do, as on a ball, those whose backs do: which side of a
 /// patch is its front is for the mesh to say, and not all do.
-fn pairs(mesh: &Mesh, source: &mut Pcg) -> Vec<Ray> {
+fn pairs(mesh: &Mesh, most: usize, source: &mut Pcg) -> Vec<Ray> {
     let mut list = mesh.list();
-    let fronts = facing(&list, source);
+    let fronts = facing(&list, most, source);
     if !fronts.is_empty() {
         return fronts;
     }
     list.iter_mut().for_each(|patch| std::mem::swap(&mut patch.b, &mut patch.c));
-    facing(&list, source)
+    facing(&list, most, source)
 }
 
-fn facing(list: &[Triangle], source: &mut Pcg) -> Vec<Ray> {
+fn facing(list: &[Triangle], most: usize, source: &mut Pcg) -> Vec<Ray> {
     let count = list.len();
-    if count * count <= MOST_PAIRS {
+    if count * count <= most {
         let all = (0..count).flat_map(|i| (0..count).map(move |j| (i, j)));
         return all.filter_map(|(i, j)| pair(&list[i], &list[j])).collect();
     }
     let mut rays = Vec::new();
-    for _ in 0..ATTEMPTS * MOST_PAIRS {
+    for _ in 0..ATTEMPTS * most {
         let mut one = || &list[source.below(count as u64) as usize];
         let (from, to) = (one(), one());
         rays.extend(pair(from, to));
-        if rays.len() == MOST_PAIRS {
+        if rays.len() == most {
             break;
         }
     }
@@ -177,7 +201,7 @@ mod tests {
 
     fn crowd(model: &str, usage: Use) -> (Mesh, Crowd) {
         let mesh = named(model).expect("a name").expect("a size");
-        let crowd = draw(&Wanted::of(None, Some(usage), None), &mesh, 1, |_| None);
+        let crowd = draw(&Wanted::of(None, Some(usage), None), &mesh, Asking::new(1), |_| None);
         (mesh, crowd.expect("there are rays"))
     }
 
@@ -197,7 +221,7 @@ mod tests {
         let (mesh, crowd) = crowd("cornell-box", Use::Radiosity);
         let count = mesh.triangles.len() as u64;
         assert_eq!(crowd.in_use, count * (count - 1));
-        assert!(!crowd.rays.is_empty() && crowd.rays.len() <= MOST_PAIRS);
+        assert!(!crowd.rays.is_empty() && crowd.rays.len() <= Asking::new(1).pixels());
         // The fronts of a ball's patches see none of each other, their backs do.
         let (ball, crowd) = self::crowd("icosphere:1", Use::Radiosity);
         assert_eq!(crowd.rays.len(), ball.triangles.len() * (ball.triangles.len() - 1));
@@ -205,7 +229,8 @@ mod tests {
         let mut one = ball;
         one.triangles.truncate(1);
         let wanted = Wanted::of(None, Some(Use::Radiosity), None);
-        let refusal = draw(&wanted, &one, 1, |_| None).err().map(|error| error.to_string());
+        let refusal =
+            draw(&wanted, &one, Asking::new(1), |_| None).err().map(|error| error.to_string());
         assert!(refusal.is_some_and(|text| text.contains("no 'patches' ray")));
     }
 

@@ -6,7 +6,7 @@ use super::pieces::PIECES;
 use super::pilot::{self, Asking, Way};
 use super::prepare::{self, Stores};
 use super::proof::{Answers, Exactly};
-use super::rays::{self, Crowd};
+use super::rays::{self, Asking as Drawing, Crowd};
 use super::sample::{self, Arrangement};
 use super::settle::{Finals, Looked, Settled, settle};
 use super::situation::{Crowding, Situation};
@@ -58,13 +58,13 @@ impl<'a> Task<'a> {
         mesh: &'a Mesh,
         triangles: &'a [Triangle],
         wanted: Wanted,
-        seed: u64,
+        drawing: Drawing,
     ) -> Result<Self, ReadError> {
         let mut nearby = Nearby::new(triangles);
         let mut first = |ray: &Ray| nearby.nearest(ray).map(|(index, _)| index as u32);
-        let crowd = rays::draw(&wanted, mesh, seed, &mut first)?;
+        let crowd = rays::draw(&wanted, mesh, drawing, &mut first)?;
         let looks = Looks::of(mesh).with_rays(mesh, &crowd.rays, &mut first);
-        Ok(Task { mesh, wanted, triangles, nearby, crowd, looks, seed })
+        Ok(Task { mesh, wanted, triangles, nearby, crowd, looks, seed: drawing.seed })
     }
 
     /// Number of rays.
@@ -79,7 +79,9 @@ impl<'a> Task<'a> {
 
     /// About how many blocks will be timed in groups of so many rounds, for a progress bar.
     pub fn blocks(rounds: usize) -> usize {
-        GROUPS * rounds * (crate::experiment::cells::MOST_SUBJECTS + crate::experiment::cells::CONTROLS)
+        GROUPS
+            * rounds
+            * (crate::experiment::cells::MOST_SUBJECTS + crate::experiment::cells::CONTROLS)
     }
 
     /// Measures, and settles on a plan.
@@ -189,7 +191,8 @@ fn contested(
         let mut pieces = PIECES.iter().zip(&looks);
         pieces.all(|(piece, is_spare)| *is_spare || !piece.is_left_out_by(form))
     };
-    let mut forms = contest::candidates(situation.wanted.output, situation.pilot.too_coarse > 0, &needed);
+    let mut forms =
+        contest::candidates(situation.wanted.output, situation.pilot.too_coarse > 0, &needed);
     if !forms.iter().any(|form| std::ptr::eq(*form, default)) {
         forms.push(default);
     }
@@ -234,9 +237,8 @@ fn settled(
         if let Some((_, answers)) = known.iter().find(|(id, _)| *id == form.id) {
             return *answers;
         }
-        let answers = find(&form.id).map_or_else(Answers::default, |variant| {
-            asking.standing(variant).beside(&usual)
-        });
+        let answers = find(&form.id)
+            .map_or_else(Answers::default, |variant| asking.standing(variant).beside(&usual));
         known.push((form.id.clone(), answers));
         answers
     };

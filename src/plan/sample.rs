@@ -107,7 +107,7 @@ fn pairs(
 mod tests {
     use super::*;
     use crate::oracle::{Query, classify};
-    use crate::plan::rays::draw as draw_rays;
+    use crate::plan::rays::{Asking, draw as draw_rays};
     use crate::plan::usage::{Use, Wanted};
     use crate::scene::built_in::named;
 
@@ -116,7 +116,7 @@ mod tests {
         let list = mesh.list();
         let mut nearby = Nearby::new(&list);
         let wanted = Wanted::of(None, Some(usage), None);
-        let rays = draw_rays(&wanted, &mesh, 1, |_| None).expect("rays").rays;
+        let rays = draw_rays(&wanted, &mesh, Asking::new(1), |_| None).expect("rays").rays;
         let nearest: Vec<Nearest> = rays.iter().map(|ray| nearby.nearest(ray)).collect();
         draw(arrangement, (&rays, &nearest), &mut nearby, 1, &mut |_, _| true)
     }

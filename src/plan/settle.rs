@@ -110,11 +110,11 @@ fn choose(looked: &[Looked<'_>], finals: &Finals, also: Option<usize>) -> usize 
         })
     };
     let default = &finals.entries[finals.default].times;
-    let beside = |entry: usize, times: &[f64]| {
-        Saving::of(&finals.entries[entry].times, times, finals.floor)
-    };
+    let beside =
+        |entry: usize, times: &[f64]| Saving::of(&finals.entries[entry].times, times, finals.floor);
     // What cannot be compared is not taken.
-    let ratio = |entry: usize| beside(entry, default).map_or(f64::INFINITY, |one| one.ratio.estimate);
+    let ratio =
+        |entry: usize| beside(entry, default).map_or(f64::INFINITY, |one| one.ratio.estimate);
     let allowed: Vec<usize> = (0..finals.entries.len())
         .filter(|entry| *entry == finals.default || does_enough(&finals.entries[*entry]))
         .filter(|entry| {
@@ -194,6 +194,8 @@ fn kept(one: &Looked<'_>, finals: &Finals, chosen: usize) -> String {
             "{because}; but {}, which leaves it out, is no faster than the plan or does too little",
             entry.form.id
         ),
-        None => format!("{because}; but no form leaves it out beside all else that is to be left out"),
+        None => {
+            format!("{because}; but no form leaves it out beside all else that is to be left out")
+        }
     }
 }

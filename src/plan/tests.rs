@@ -6,7 +6,7 @@ use super::nearby::Nearby;
 use super::piece::Look;
 use super::pieces::PIECES;
 use super::proof::{Answers, Exactly, Standing};
-use super::rays::draw;
+use super::rays::{Asking, draw};
 use super::settle::{Entry, Finals, Looked, Settled, settle};
 use super::usage::Wanted;
 use crate::accuracy::Reported;
@@ -67,13 +67,8 @@ fn answers(id: &str, rays: &[Ray], triangles: &[Triangle]) -> Vec<Answer> {
     rays.iter().map(&mut one).collect()
 }
 
-const REPORTED: Reported = Reported {
-    unit_roundoff: 1.0 / 16_777_216.0,
-    t: true,
-    uv: true,
-    surface: false,
-    culls: false,
-};
+const REPORTED: Reported =
+    Reported { unit_roundoff: 1.0 / 16_777_216.0, t: true, uv: true, surface: false, culls: false };
 
 /// A mesh, some rays of a camera, and the exact answers.
 struct Stage {
@@ -83,8 +78,10 @@ struct Stage {
 
 impl Stage {
     fn of(mesh: &Mesh) -> Self {
-        let crowd = draw(&Wanted::of(None, None, None), mesh, 1, |_| None).expect("rays");
-        let rays = crowd.rays.into_iter().step_by(29).collect();
+        let crowd =
+            draw(&Wanted::of(None, None, None), mesh, Asking { side: 24, seed: 1 }, |_| None)
+                .expect("rays");
+        let rays = crowd.rays;
         Stage { rays, triangles: mesh.list() }
     }
 

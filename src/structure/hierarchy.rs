@@ -51,7 +51,8 @@ fn laid_out(topology: &Topology) -> (Vec<Shape>, Vec<u32>) {
     let mut shapes: Vec<Shape> = Vec::new();
     let mut indices = Vec::new();
     let place = || Shape { first: 0, count: 0, is_leaf: false, range: [usize::MAX, 0] };
-    let mut stack: Vec<(usize, usize)> = topology.root().map(|root| (root, 0)).into_iter().collect();
+    let mut stack: Vec<(usize, usize)> =
+        topology.root().map(|root| (root, 0)).into_iter().collect();
     shapes.extend(stack.iter().map(|_| place()));
     while let Some((branch, slot)) = stack.pop() {
         match topology.branch(branch) {

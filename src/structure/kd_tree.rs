@@ -29,8 +29,15 @@ pub struct KdTree {
 #[derive(Clone, Copy, Debug)]
 enum Node {
     /// Below the plane is child `first`, above it the next.
-    Plane { axis: usize, place: f32, first: u32 },
-    Cell { first: u32, count: u32 },
+    Plane {
+        axis: usize,
+        place: f32,
+        first: u32,
+    },
+    Cell {
+        first: u32,
+        count: u32,
+    },
 }
 
 impl KdTree {
@@ -131,7 +138,9 @@ impl Structure for KdTree {
                     break None;
                 }
                 match self.nodes[node] {
-                    Node::Cell { first, count } => break Some(first as usize..(first + count) as usize),
+                    Node::Cell { first, count } => {
+                        break Some(first as usize..(first + count) as usize);
+                    }
                     Node::Plane { axis, place, first } => {
                         search.open();
                         let children = Sides::of(beam, axis, place, first);

@@ -24,7 +24,11 @@ pub const KINDS: [Kind; 17] = [
     Kind { id: "sphere", title: "a sphere around all", build: bounded::<Sphere> },
     Kind { id: "box", title: "a box around all", build: bounded::<Bounds> },
     Kind { id: "slabs", title: "seven slabs around all", build: bounded::<Slabs> },
-    Kind { id: "sphere-and-box", title: "a sphere, and a box in it", build: bounded::<SphereAndBox> },
+    Kind {
+        id: "sphere-and-box",
+        title: "a sphere, and a box in it",
+        build: bounded::<SphereAndBox>,
+    },
     Kind { id: "sorted-spheres", title: "a list of spheres by distance", build: sorted::<Sphere> },
     Kind { id: "sorted-boxes", title: "a list of boxes by distance", build: sorted::<Bounds> },
     Kind { id: "grid", title: "a uniform grid", build: grid },

@@ -151,6 +151,8 @@ fn push_children(beam: &Beam, bounds: &Bounds, first: u32, stack: &mut Vec<Cell>
     }
     farthest_first(&mut met[..count]);
     stack.extend(
-        met[..count].iter().map(|visit| Cell { visit: *visit, bounds: eighth(bounds, visit.node - first) }),
+        met[..count]
+            .iter()
+            .map(|visit| Cell { visit: *visit, bounds: eighth(bounds, visit.node - first) }),
     );
 }

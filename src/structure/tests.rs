@@ -88,7 +88,8 @@ pub fn odd() -> Vec<Triangle> {
 /// with directions of all lengths.
 pub fn rays(triangles: &[Triangle], count: usize) -> Vec<Ray> {
     let mut pcg = Pcg::new(7);
-    let size = triangles.iter().filter(|one| one.a.is_finite()).map(|one| one.a.abs().max_element());
+    let size =
+        triangles.iter().filter(|one| one.a.is_finite()).map(|one| one.a.abs().max_element());
     let size = size.fold(1.0, f32::max);
     let mut one = |kind: usize| {
         let chosen = triangles[pcg.below(triangles.len() as u64) as usize];
@@ -147,7 +148,12 @@ fn agree(triangles: &[Triangle], rays: &[Ray]) -> Seen {
                     assert!(why.is_some(), "{} {found:?} {expected:?} {ray:?}", kind.id);
                     seen.excused += 1;
                 } else {
-                    assert_eq!(search.any(structure.as_ref(), ray), expected.is_some(), "{}", kind.id);
+                    assert_eq!(
+                        search.any(structure.as_ref(), ray),
+                        expected.is_some(),
+                        "{}",
+                        kind.id
+                    );
                 }
             }
         }
@@ -219,7 +225,12 @@ fn structures_of_nothing_and_of_one_hit_what_is_there() {
             let triangles = &triangles[..count];
             let mut search = Search::new(LEAVES[0](triangles));
             let hit = search.nearest((kind.build)(triangles).as_ref(), &ray).unwrap();
-            assert_eq!((hit.triangle, hit.t), [(0, 4.0), (1, 3.0), (1, 3.0)][count - 1], "{}", kind.id);
+            assert_eq!(
+                (hit.triangle, hit.t),
+                [(0, 4.0), (1, 3.0), (1, 3.0)][count - 1],
+                "{}",
+                kind.id
+            );
         }
     }
 }

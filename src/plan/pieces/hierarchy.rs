@@ -11,7 +11,8 @@ pub(super) fn look(situation: &Situation) -> Look {
         return Look::Needed(format!("{triangles} triangles; going without was not timed"));
     };
     let (name, tests) = (&paths.hierarchy, paths.tests_in_hierarchy);
-    let so_many = format!("of {triangles} triangles a ray is tested against {tests:.1} in '{name}'");
+    let so_many =
+        format!("of {triangles} triangles a ray is tested against {tests:.1} in '{name}'");
     match paths.list {
         None => Look::Needed(format!("{so_many}; without it against all")),
         Some(saving) if saving.is_loss() => {

@@ -8,8 +8,8 @@ mod fallback;
 mod general_plane;
 mod hierarchy;
 mod normalised;
-mod precomputation;
 mod precision;
+mod precomputation;
 mod range;
 #[cfg(test)]
 mod tests;

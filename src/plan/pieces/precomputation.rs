@@ -3,17 +3,15 @@
 use crate::plan::piece::{Look, Piece};
 use crate::plan::situation::Situation;
 
-pub(super) const PRECOMPUTATION: Piece = Piece {
-    name: "precomputation",
-    look,
-    done_by: Some(|form| form.prepares),
-    pair: None,
-};
+pub(super) const PRECOMPUTATION: Piece =
+    Piece { name: "precomputation", look, done_by: Some(|form| form.prepares), pair: None };
 
 fn look(situation: &Situation) -> Look {
     let tests = situation.crowd.tests_per_triangle();
     let Some(preparing) = &situation.preparing else {
-        return Look::Spare(format!("a triangle takes part in {tests:.1} tests; no form that prepares does all that is needed"));
+        return Look::Spare(format!(
+            "a triangle takes part in {tests:.1} tests; no form that prepares does all that is needed"
+        ));
     };
     let (with, ns) = (&preparing.with, preparing.prepare_ns);
     let so_many = format!("a triangle takes part in {tests:.1} tests");

@@ -5,7 +5,7 @@ use crate::plan::form::Output;
 use crate::plan::nearby::Nearby;
 use crate::plan::piece::Look;
 use crate::plan::pieces::PIECES;
-use crate::plan::rays::draw;
+use crate::plan::rays::{Asking, draw};
 use crate::plan::situation::{Crowding, Paths, Pilot, Preparing, Situation};
 use crate::plan::usage::{Use, Wanted};
 use crate::scene::built_in::named;
@@ -25,10 +25,9 @@ fn situation(mesh: &Mesh, wanted: Wanted) -> Situation {
     let list = mesh.list();
     let mut nearby = Nearby::new(&list);
     let mut nearest = |ray: &Ray| nearby.nearest(ray).map(|(index, _)| index as u32);
-    let crowd = draw(&wanted, mesh, 1, &mut nearest).expect("there are rays");
-    // A part of them is like the whole.
-    let some: Vec<Ray> = crowd.rays.iter().copied().step_by(61).collect();
-    let looks = Looks::of(mesh).with_rays(mesh, &some, &mut nearest);
+    let crowd =
+        draw(&wanted, mesh, Asking { side: 24, seed: 1 }, &mut nearest).expect("there are rays");
+    let looks = Looks::of(mesh).with_rays(mesh, &crowd.rays, &mut nearest);
     let rays = crowd.rays.len() as u64;
     Situation {
         looks,

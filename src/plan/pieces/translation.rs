@@ -4,12 +4,8 @@
 use crate::plan::piece::{Look, Piece};
 use crate::plan::situation::Situation;
 
-pub(super) const TRANSLATION: Piece = Piece {
-    name: "translation",
-    look,
-    done_by: Some(|form| form.translates),
-    pair: None,
-};
+pub(super) const TRANSLATION: Piece =
+    Piece { name: "translation", look, done_by: Some(|form| form.translates), pair: None };
 
 /// What is subtracted first is as large as the scene, what is not as large as its coordinates. Rounding
 /// errors go by that: with an offset of a times the diagonal, coordinates are at most a + 1/2 diagonals,

@@ -25,7 +25,9 @@ fn look(situation: &Situation) -> Look {
     }
     if edges.turned > 0 {
         let count = edges.turned;
-        return needed(format!("along {count} edges a triangle is turned over beside its neighbour"));
+        return needed(format!(
+            "along {count} edges a triangle is turned over beside its neighbour"
+        ));
     }
     if !edges.closed || edges.outward < edges.shells {
         let (outward, shells) = (edges.outward, edges.shells);

@@ -15,7 +15,9 @@ fn look(situation: &Situation) -> Look {
     let (edges, pilot) = (&situation.looks.edges, &situation.pilot);
     let shared = edges.manifold + edges.non_manifold;
     if shared == 0 {
-        return Look::Spare("no two triangles share an edge: there is nothing to keep tight".into());
+        return Look::Spare(
+            "no two triangles share an edge: there is nothing to keep tight".into(),
+        );
     }
     if pilot.leaks > 0 {
         return Look::Needed(format!(

@@ -74,7 +74,9 @@ fn misses_nothing<V: Volume>() {
         hits[family] += 1;
         let volume = V::around(&[one.a, one.b, one.c].map(|corner| corner.to_array()));
         let crossing = volume.crossing(&beam, &V::aim(&beam));
-        let crossing = crossing.unwrap_or_else(|| panic!("{ray:?} misses {volume_name} of {one:?}", volume_name = V::NAME));
+        let crossing = crossing.unwrap_or_else(|| {
+            panic!("{ray:?} misses {volume_name} of {one:?}", volume_name = V::NAME)
+        });
         assert!(crossing.near <= exact.t && exact.t <= crossing.far, "{crossing:?} {exact:?}");
         let bound = exact.t;
         assert_eq!(volume.hit(&beam, &V::aim(&beam), bound), Some(crossing.near));
@@ -119,7 +121,9 @@ fn a_ray_in_the_plane_of_a_face_meets_the_box() {
                 let met = UNIT.crossing(&beam(origin, [way, zero, zero]), &());
                 assert!(met.is_some_and(|met| met.near <= 1.5 && met.far >= 2.5));
                 // Along an edge, and from a corner.
-                assert!(UNIT.crossing(&beam([origin[0], face, face], [way, zero, zero]), &()).is_some());
+                assert!(
+                    UNIT.crossing(&beam([origin[0], face, face], [way, zero, zero]), &()).is_some()
+                );
                 assert!(UNIT.crossing(&beam([face; 3], [way, zero, zero]), &()).is_some());
             }
         }
@@ -137,12 +141,17 @@ fn a_ray_beside_the_box_misses_it() {
         }
         assert!(UNIT.crossing(&beam([2.0, 0.5, 0.5], [1.0, zero, zero]), &()).is_none());
     }
-    assert!(Sphere { centre: [0.0; 3], radius: 1.0 }.crossing(
-        &beam([0.0, 1.001, -5.0], [0.0, 0.0, 1.0]),
-        &Sphere::aim(&beam([0.0, 1.001, -5.0], [0.0, 0.0, 1.0]))
-    ).is_none());
+    assert!(
+        Sphere { centre: [0.0; 3], radius: 1.0 }
+            .crossing(
+                &beam([0.0, 1.001, -5.0], [0.0, 0.0, 1.0]),
+                &Sphere::aim(&beam([0.0, 1.001, -5.0], [0.0, 0.0, 1.0]))
+            )
+            .is_none()
+    );
     let corner = beam([2.0, 2.0, 0.0], [-1.0, -1.0, 0.0]);
-    let cut = Slabs::around(&[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]]);
+    let cut =
+        Slabs::around(&[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0]]);
     assert!(cut.crossing(&corner, &Slabs::aim(&corner)).is_some());
     let beside = beam([0.9, 0.9, -3.0], [0.0, 0.0, 1.0]);
     assert!(cut.bounds.crossing(&beside, &()).is_some());
@@ -155,13 +164,21 @@ fn what_is_behind_or_beyond_the_range_is_missed() {
         let (origin, direction) = (Vec3::new(-1.0, 0.5, 0.5), Vec3::X);
         Beam::of_ray(&Ray { origin, direction, end: origin, t_min, t_max }).unwrap()
     };
-    for (t_min, t_max, is_hit) in
-        [(0.0, 0.5, false), (0.0, 1.0, true), (2.0, 9.0, true), (2.5, 9.0, false), (-9.0, 9.0, true)]
-    {
+    for (t_min, t_max, is_hit) in [
+        (0.0, 0.5, false),
+        (0.0, 1.0, true),
+        (2.0, 9.0, true),
+        (2.5, 9.0, false),
+        (-9.0, 9.0, true),
+    ] {
         let beam = ray(t_min, t_max);
         assert_eq!(UNIT.crossing(&beam, &()).is_some(), is_hit, "{t_min} {t_max}");
         let sphere = Sphere { centre: [0.5; 3], radius: 0.5 };
-        assert_eq!(sphere.crossing(&beam, &Sphere::aim(&beam)).is_some(), is_hit, "{t_min} {t_max}");
+        assert_eq!(
+            sphere.crossing(&beam, &Sphere::aim(&beam)).is_some(),
+            is_hit,
+            "{t_min} {t_max}"
+        );
     }
     assert_eq!(UNIT.hit(&ray(0.0, 9.0), &(), 0.5), None);
 }

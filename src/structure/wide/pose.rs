@@ -81,10 +81,8 @@ pub fn meet_in_f64<const W: usize>(beam: &Beam, node: &Node<W>, limit: f64) -> (
     let (mut near, mut bits) = ([0.0; W], 0);
     for place in 0..W {
         let plane = |row: usize| node.planes[row][place];
-        let bounds = Bounds {
-            low: [plane(0), plane(2), plane(4)],
-            high: [plane(1), plane(3), plane(5)],
-        };
+        let bounds =
+            Bounds { low: [plane(0), plane(2), plane(4)], high: [plane(1), plane(3), plane(5)] };
         if bounds.low[0] <= bounds.high[0]
             && let Some(enters) = bounds.hit(beam, &(), limit)
         {

@@ -33,7 +33,10 @@ impl<const W: usize> Node<W> {
     /// Without children.
     pub const EMPTY: Self = {
         let far = f32::MAX * 0.5;
-        Node { planes: [[far; W], [-far; W], [far; W], [-far; W], [far; W], [-far; W]], children: [0; W] }
+        Node {
+            planes: [[far; W], [-far; W], [far; W], [-far; W], [far; W], [-far; W]],
+            children: [0; W],
+        }
     };
 }
 

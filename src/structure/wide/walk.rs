@@ -58,13 +58,8 @@ where
         let Batches { tree, records, drawn, rays, any, answers, stack } = data;
         for ((ray, drawn), answer) in rays.iter().zip(drawn).zip(answers) {
             let everywhere = everywhere::<R>(token, ray);
-            let leaves = Leaves::<K, R, W> {
-                token,
-                tree,
-                records,
-                any,
-                aim: K::aim::<P, R>(&everywhere),
-            };
+            let leaves =
+                Leaves::<K, R, W> { token, tree, records, any, aim: K::aim::<P, R>(&everywhere) };
             let best = if tree.nodes.is_empty() {
                 Best::nothing(ray.t_max)
             } else if is_plain(tree, ray) {
