@@ -26,19 +26,29 @@ pub enum Look {
     Spare(String),
     /// It may be left out, and that was measured otherwise than by two forms.
     Measured(String, Saving),
+    /// It may be left out or done, whichever is faster.
+    Open(String),
 }
 
 impl Look {
     /// Why.
     pub fn because(&self) -> &str {
         match self {
-            Look::Needed(because) | Look::Spare(because) | Look::Measured(because, _) => because,
+            Look::Needed(because)
+            | Look::Spare(because)
+            | Look::Measured(because, _)
+            | Look::Open(because) => because,
         }
     }
 
     /// Whether it may be left out.
     pub fn is_spare(&self) -> bool {
         !matches!(self, Look::Needed(_))
+    }
+
+    /// Whether a form that does it does more than it has to.
+    pub fn is_waste(&self) -> bool {
+        matches!(self, Look::Spare(_) | Look::Measured(..))
     }
 }
 

@@ -47,16 +47,24 @@ pub struct Settled {
     pub answers: Answers,
     /// Time of the plan over that of the default variant; `None` where the plan is the default.
     pub beside_default: Option<Saving>,
+    /// A form that does more than it has to, and is faster all the same, beyond noise; its time over that
+    /// of the plan.
+    pub faster: Option<(String, Saving)>,
 }
 
 impl Looked<'_> {
     fn may_go(&self) -> bool {
         self.look.is_spare() && self.back.is_none()
     }
+
+    /// Whether a form had better leave it out: it may, and that is not slower by itself.
+    fn should_go(&self) -> bool {
+        self.may_go() && self.look.is_waste() && !self.saving.is_some_and(|one| one.is_loss())
+    }
 }
 
-/// Chooses the fastest form that does all that is needed, and brings pieces back until its answers are at
-/// least as good as the default variant's. `prove` tells a form's answers on all rays beside the default
+/// Chooses the form that does all that is needed and least besides, and brings pieces back until its
+/// answers are at least as good as the default variant's. `prove` tells a form's answers on all rays beside the default
 /// variant's, of which `agree` are right.
 pub fn settle(
     looked: &mut [Looked<'_>],
@@ -100,39 +108,45 @@ fn gone(looked: &[Looked<'_>], place: usize, finals: &Finals, chosen: usize) -> 
     leaves(chosen) && !leaves(finals.default)
 }
 
-/// The fastest form that does what is needed, and `also` the piece at that place; of those that noise
-/// cannot tell from it the one that does least. Never one that is slower than the default beyond noise.
+/// Whether a form does what is needed, and `also` the piece at that place.
+fn does_enough(looked: &[Looked<'_>], form: &Form, also: Option<usize>) -> bool {
+    (0..looked.len()).all(|place| {
+        let may_go = looked[place].may_go() && also != Some(place);
+        may_go || !looked[place].piece.is_left_out_by(form)
+    })
+}
+
+/// Of the forms that do what is needed, and `also` the piece at that place, and are not slower than the
+/// default beyond noise: the one that does least besides, and of several the fastest.
 fn choose(looked: &[Looked<'_>], finals: &Finals, also: Option<usize>) -> usize {
-    let does_enough = |entry: &Entry| {
-        (0..looked.len()).all(|place| {
-            let may_go = looked[place].may_go() && also != Some(place);
-            may_go || !looked[place].piece.is_left_out_by(&entry.form)
-        })
-    };
     let default = &finals.entries[finals.default].times;
-    let beside =
-        |entry: usize, times: &[f64]| Saving::of(&finals.entries[entry].times, times, finals.floor);
+    let beside = |entry: usize| Saving::of(&finals.entries[entry].times, default, finals.floor);
     // What cannot be compared is not taken.
-    let ratio =
-        |entry: usize| beside(entry, default).map_or(f64::INFINITY, |one| one.ratio.estimate);
-    let allowed: Vec<usize> = (0..finals.entries.len())
-        .filter(|entry| *entry == finals.default || does_enough(&finals.entries[*entry]))
-        .filter(|entry| {
-            *entry == finals.default || beside(*entry, default).is_some_and(|one| !one.is_loss())
-        })
-        .collect();
-    let faster = |a: &usize, b: &usize| ratio(*a).total_cmp(&ratio(*b));
-    let fastest = allowed.iter().copied().min_by(faster).unwrap_or(finals.default);
-    let done = |entry: usize| {
+    let ratio = |entry: usize| beside(entry).map_or(f64::INFINITY, |one| one.ratio.estimate);
+    let is_allowed = |entry: &usize| {
+        let enough = does_enough(looked, &finals.entries[*entry].form, also);
+        let as_fast = beside(*entry).is_some_and(|one| !one.is_loss());
+        *entry == finals.default || (enough && as_fast)
+    };
+    let waste = |entry: usize| {
         let form = &finals.entries[entry].form;
-        looked.iter().filter(|one| one.may_go() && !one.piece.is_left_out_by(form)).count()
+        looked.iter().filter(|one| one.should_go() && !one.piece.is_left_out_by(form)).count()
     };
-    let as_fast = |entry: &usize| {
-        let times = &finals.entries[fastest].times;
-        *entry == fastest || beside(*entry, times).is_some_and(|one| one.is_noise())
-    };
-    let least = |a: &usize, b: &usize| done(*a).cmp(&done(*b)).then(faster(a, b));
-    allowed.iter().copied().filter(as_fast).min_by(least).unwrap_or(finals.default)
+    let least =
+        |a: &usize, b: &usize| waste(*a).cmp(&waste(*b)).then(ratio(*a).total_cmp(&ratio(*b)));
+    let allowed = (0..finals.entries.len()).filter(is_allowed);
+    allowed.min_by(least).unwrap_or(finals.default)
+}
+
+/// The fastest form that does what is needed, if it is faster than the chosen one beyond noise.
+fn faster(looked: &[Looked<'_>], finals: &Finals, chosen: usize) -> Option<(String, Saving)> {
+    let times = &finals.entries[chosen].times;
+    let enough = finals.entries.iter().filter(|entry| does_enough(looked, &entry.form, None));
+    let compared = enough.filter_map(|entry| {
+        Some((entry.form.id.clone(), Saving::of(&entry.times, times, finals.floor)?))
+    });
+    let fastest = compared.min_by(|a, b| a.1.ratio.estimate.total_cmp(&b.1.ratio.estimate));
+    fastest.filter(|(_, saving)| saving.percent() > 0.0)
 }
 
 fn told(looked: &[Looked<'_>], finals: &Finals, chosen: usize, answers: Answers) -> Settled {
@@ -150,7 +164,7 @@ fn told(looked: &[Looked<'_>], finals: &Finals, chosen: usize, answers: Answers)
     let default = &finals.entries[finals.default].times;
     let beside = Saving::of(&finals.entries[chosen].times, default, finals.floor);
     let beside_default = beside.filter(|_| chosen != finals.default);
-    Settled { plan, answers, beside_default }
+    Settled { plan, answers, beside_default, faster: faster(looked, finals, chosen) }
 }
 
 /// Why a piece may go, and percent that it saves.

@@ -194,6 +194,19 @@ fn a_plan_is_never_slower_than_the_default() {
 }
 
 #[test]
+fn what_does_less_is_taken_and_what_is_faster_is_told() {
+    let spare = [&ALWAYS[..], &["two-sidedness", "precomputation", "translation"]].concat();
+    let stage = Stage::of(&mesh("icosphere:1"));
+    let settled = stage.settle(&spare, [10.0, 9.0, 7.0, 20.0]);
+    assert_eq!(settled.plan.variant, "culling");
+    let (faster, saving) = settled.faster.expect("there is one");
+    assert!(faster == "wald" && saving.percent() > 20.0);
+    // One that does too little is no match.
+    let settled = stage.settle(&spare, [10.0, 9.0, 20.0, 1.0]);
+    assert_eq!((settled.plan.variant.as_str(), settled.faster), ("culling", None));
+}
+
+#[test]
 fn what_is_needed_is_done_however_fast_others_are() {
     let stage = Stage::of(&mesh("icosphere:1"));
     let settled = stage.settle(&ALWAYS, [10.0, 1.0, 20.0, 20.0]);

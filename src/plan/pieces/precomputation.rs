@@ -21,7 +21,7 @@ fn look(situation: &Situation) -> Look {
             format!("{so_many}; preparing it ({with}, {ns:.1} ns) pays from {from:.1} on")
         }
         Some(from) => {
-            return Look::Needed(format!(
+            return Look::Open(format!(
                 "{so_many}; preparing it ({with}, {ns:.1} ns) pays from {from:.1} on"
             ));
         }

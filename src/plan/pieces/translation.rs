@@ -26,7 +26,7 @@ fn look(situation: &Situation) -> Look {
              constants of planes would lose up to {bits:.0} bits"
         ));
     }
-    Look::Spare(format!(
+    Look::Open(format!(
         "the mesh lies {offset:.2} times its size from the origin of coordinates: nothing cancels"
     ))
 }
