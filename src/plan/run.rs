@@ -8,9 +8,9 @@ use super::prepare::{self, Stores};
 use super::proof::{Answers, Exactly};
 use super::rays::{self, Asking as Drawing, Crowd};
 use super::sample::{self, Arrangement};
-use super::settle::{Finals, Looked, Settled, settle};
+use super::settle::{Finals, Looked, Settled, settle, waste};
 use super::situation::{Crowding, Situation};
-use super::{Form, Report, Wanted, paths};
+use super::{Form, Piece, Report, Saving, Wanted, paths};
 use crate::check::read::ReadError;
 use crate::experiment::{Bench, Facts, Scene, Trouble};
 use crate::registry::{Variant, find};
@@ -204,7 +204,10 @@ fn contested(
     let stores = prepare::time(&forms, some, seed, bench)?;
     let tests = situation.crowd.tests_per_triangle();
     let share = |variant: &Variant| share(&stores, variant, tests);
-    let finalists = contest::finalists(&heats, &forms, default, &share);
+    situation.preparing = prepare::worth(&heats, &forms, &stores, tests);
+    let looked = looked(situation, contest::savings(&pairs));
+    let waste = |form: &Form| waste(&looked, form);
+    let finalists = contest::finalists(&heats, &forms, default, &share, &waste);
     let timed = contest::time(&finalists, default, scene, bench)?;
     rows.extend(timed.rows.iter().cloned());
     if bench.cancel.load(Ordering::Relaxed) {
@@ -213,6 +216,18 @@ fn contested(
     situation.preparing = prepare::worth(&timed, &finalists, &stores, tests);
     let finals = contest::finals(&timed, &finalists, default, &share);
     Ok(finals.map(|finals| Contested { pairs, finals }))
+}
+
+/// What is known of each piece.
+fn looked(situation: &Situation, savings: Vec<Option<Saving>>) -> Vec<Looked<'static>> {
+    let pieces = PIECES.iter().zip(savings);
+    let one = |(piece, saving): (&'static Piece, _)| Looked {
+        piece,
+        look: (piece.look)(situation),
+        saving,
+        back: None,
+    };
+    pieces.map(one).collect()
 }
 
 /// What preparing adds to a test, ns. What could not be timed is never chosen.
@@ -227,10 +242,7 @@ fn settled(
     default: &'static Variant,
     asking: &mut Asking<'_, '_>,
 ) -> Settled {
-    let savings = contest::savings(&contested.pairs);
-    let mut looked: Vec<Looked<'_>> = (PIECES.iter().zip(savings))
-        .map(|(piece, saving)| Looked { piece, look: (piece.look)(situation), saving, back: None })
-        .collect();
+    let mut looked = looked(situation, contest::savings(&contested.pairs));
     let usual = asking.standing(default);
     let mut known: Vec<(String, Answers)> = Vec::new();
     let mut prove = |form: &Form| {

@@ -116,6 +116,11 @@ fn does_enough(looked: &[Looked<'_>], form: &Form, also: Option<usize>) -> bool 
     })
 }
 
+/// Pieces that a form does and had better leave out.
+pub fn waste(looked: &[Looked<'_>], form: &Form) -> usize {
+    looked.iter().filter(|one| one.should_go() && !one.piece.is_left_out_by(form)).count()
+}
+
 /// Of the forms that do what is needed, and `also` the piece at that place, and are not slower than the
 /// default beyond noise: the one that does least besides, and of several the fastest.
 fn choose(looked: &[Looked<'_>], finals: &Finals, also: Option<usize>) -> usize {
@@ -128,12 +133,9 @@ fn choose(looked: &[Looked<'_>], finals: &Finals, also: Option<usize>) -> usize 
         let as_fast = beside(*entry).is_some_and(|one| !one.is_loss());
         *entry == finals.default || (enough && as_fast)
     };
-    let waste = |entry: usize| {
-        let form = &finals.entries[entry].form;
-        looked.iter().filter(|one| one.should_go() && !one.piece.is_left_out_by(form)).count()
-    };
+    let wasted = |entry: usize| waste(looked, &finals.entries[entry].form);
     let least =
-        |a: &usize, b: &usize| waste(*a).cmp(&waste(*b)).then(ratio(*a).total_cmp(&ratio(*b)));
+        |a: &usize, b: &usize| wasted(*a).cmp(&wasted(*b)).then(ratio(*a).total_cmp(&ratio(*b)));
     let allowed = (0..finals.entries.len()).filter(is_allowed);
     allowed.min_by(least).unwrap_or(finals.default)
 }
@@ -178,6 +180,9 @@ fn saved(one: &Looked<'_>) -> (String, f64) {
         Some(saving) => (format!("{because}; {}", saving.words()), saving.percent()),
         None if one.piece.pair.is_some() => {
             (format!("{because}; its two forms could not be timed here"), 0.0)
+        }
+        None if matches!(one.look, Look::Open(_)) => {
+            (format!("{because}; the form that is left does without"), 0.0)
         }
         None => (because.to_owned(), 0.0),
     }

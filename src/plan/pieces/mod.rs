@@ -21,7 +21,7 @@ mod watertightness;
 use super::piece::Piece;
 
 /// All of them, in the order in which plans tell them.
-pub const PIECES: [Piece; 15] = [
+pub static PIECES: [Piece; 15] = [
     two_sidedness::TWO_SIDEDNESS,
     u_and_v::U_AND_V,
     division::DIVISION,
