@@ -72,8 +72,8 @@ pub fn draw(
             }
             rays
         }
-        Source::Steps => segments(mesh, &mut Pcg::stream(seed, STEPS), step),
-        Source::Sights => segments(mesh, &mut Pcg::stream(seed, SIGHTS), sight),
+        Source::Steps => segments(mesh, &mut Pcg::stream(seed, STEPS), Hall::step),
+        Source::Sights => segments(mesh, &mut Pcg::stream(seed, SIGHTS), Hall::sight),
         Source::Patches => {
             let patches = mesh.triangles.len() as u64;
             in_use = Some(patches * patches.saturating_sub(1));
@@ -94,34 +94,41 @@ pub fn draw(
     Ok(Crowd { in_use: in_use.unwrap_or(rays.len() as u64), rays })
 }
 
-fn segments(
-    mesh: &Mesh,
-    source: &mut Pcg,
-    to: fn(DVec3, &dyn Fn(&mut Pcg) -> DVec3, f64, &mut Pcg) -> DVec3,
-) -> Vec<Ray> {
+/// The box around a mesh, as far as segments are drawn in it.
+struct Hall {
+    low: DVec3,
+    high: DVec3,
+    diagonal: f64,
+}
+
+impl Hall {
+    /// A random point.
+    fn point(&self, source: &mut Pcg) -> DVec3 {
+        let share = DVec3::new(source.unit_f64(), source.unit_f64(), source.unit_f64());
+        self.low + (self.high - self.low) * share
+    }
+
+    /// Where a step from a point ends.
+    fn step(&self, from: DVec3, source: &mut Pcg) -> DVec3 {
+        from + on_sphere(source).as_dvec3() * (STEP * self.diagonal)
+    }
+
+    /// What is looked at, wherever from.
+    fn sight(&self, _: DVec3, source: &mut Pcg) -> DVec3 {
+        self.point(source)
+    }
+}
+
+/// Segments from random points to where `to` says.
+fn segments(mesh: &Mesh, source: &mut Pcg, to: fn(&Hall, DVec3, &mut Pcg) -> DVec3) -> Vec<Ray> {
     let bounds = mesh.bounds();
     let (low, high) = (bounds.lowest.as_dvec3(), bounds.highest.as_dvec3());
-    let point = |source: &mut Pcg| {
-        let share = DVec3::new(source.unit_f64(), source.unit_f64(), source.unit_f64());
-        low + (high - low) * share
-    };
-    let reach = STEP * bounds.diagonal();
+    let hall = Hall { low, high, diagonal: bounds.diagonal() };
     let mut one = || {
-        let from = point(source);
-        let to = to(from, &point, reach, source);
-        between(from, to)
+        let from = hall.point(source);
+        between(from, to(&hall, from, source))
     };
     (0..SEGMENTS).filter_map(|_| one()).collect()
-}
-
-/// The end of a step.
-fn step(from: DVec3, _: &dyn Fn(&mut Pcg) -> DVec3, reach: f64, source: &mut Pcg) -> DVec3 {
-    from + on_sphere(source).as_dvec3() * reach
-}
-
-/// What is looked at.
-fn sight(_: DVec3, point: &dyn Fn(&mut Pcg) -> DVec3, _: f64, source: &mut Pcg) -> DVec3 {
-    point(source)
 }
 
 /// A ray from one point to another, with a direction of length 1.
