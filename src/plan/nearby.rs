@@ -43,8 +43,8 @@ impl Leaf for Remembering {
     }
 }
 
-/// The structure that is walked; all of them miss nothing.
-const KIND: &str = "surface";
+/// The structure that is walked; all of them miss nothing, and this one is built the fastest.
+const KIND: &str = "obvhs";
 
 impl<'a> Nearby<'a> {
     /// Of those triangles.

@@ -49,3 +49,31 @@ pub struct Report {
     /// The proof.
     pub answers: Answers,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn programs_read_what_was_promised() {
+        let left_out =
+            LeftOut { piece: "u and v", because: "hits only".into(), saves_percent: 1.5 };
+        let kept = Kept { piece: "f64", because: "far off".into() };
+        let plan = Plan { variant: "wald/f32".into(), left_out: vec![left_out], kept: vec![kept] };
+        let answers = Answers { rays: 9, agree: 8, disagree: 0 };
+        let (mesh, rays) = ("soup".into(), "random".into());
+        let report = Report { mesh, rays, needs: "hit", plan, answers };
+        let wanted = serde_json::json!({
+            "mesh": "soup",
+            "rays": "random",
+            "needs": "hit",
+            "plan": {
+                "variant": "wald/f32",
+                "left_out": [{"piece": "u and v", "because": "hits only", "saves_percent": 1.5}],
+                "kept": [{"piece": "f64", "because": "far off"}],
+            },
+            "answers": {"rays": 9, "agree": 8, "disagree": 0},
+        });
+        assert_eq!(serde_json::to_value(report).ok(), Some(wanted));
+    }
+}

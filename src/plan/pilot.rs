@@ -29,11 +29,21 @@ pub struct Asking<'a, 'b> {
     pub nearby: &'a mut Nearby<'b>,
     /// The way that answers are found.
     pub way: Way,
+    /// What is wanted of a hit: nothing else is judged.
+    pub output: Output,
 }
 
-/// Rays are given in f32: what its rounding explains is explained in f64 as well.
-fn judged_as(variant: &Variant) -> Reported {
-    Reported { unit_roundoff: 0.5f64.powi(24), ..reported(variant) }
+/// Rays are given in f32: what its rounding explains is explained in f64 as well. Outputs beyond what is
+/// wanted may be as they like.
+fn judged_as(variant: &Variant, output: Output) -> Reported {
+    let reported = reported(variant);
+    Reported {
+        unit_roundoff: 0.5f64.powi(24),
+        t: reported.t && output >= Output::T,
+        uv: reported.uv && output >= Output::Tuv,
+        surface: reported.surface && output == Output::Surface,
+        ..reported
+    }
 }
 
 impl Asking<'_, '_> {
@@ -41,7 +51,7 @@ impl Asking<'_, '_> {
     pub fn standing(&mut self, variant: &Variant) -> Standing {
         let all: Vec<usize> = (0..self.exactly.rays.len()).collect();
         let answers = self.answers(variant, &all);
-        self.exactly.judge(&answers, judged_as(variant))
+        self.exactly.judge(&answers, judged_as(variant, self.output))
     }
 
     /// The answers of a variant about some rays, by their places.
@@ -75,7 +85,7 @@ impl Asking<'_, '_> {
             triangles: self.exactly.triangles,
             nearest: places.iter().map(|place| self.exactly.nearest[*place]).collect(),
         };
-        let standing = exactly.judge(&answers, judged_as(variant));
+        let standing = exactly.judge(&answers, judged_as(variant, self.output));
         match what {
             Better::Tight => (places.len() - standing.lost.len()) as u64,
             Better::Fine => standing.agree(),
@@ -119,6 +129,7 @@ pub fn is_plain(variant: &Variant, ray: &Ray, triangles: &[Triangle]) -> bool {
     let rays = std::slice::from_ref(ray);
     let truth = NearestTruth::of(rays, triangles);
     let answers = bind(rays, triangles).answers();
-    let right = judge_nearest(&answers, &truth.any, (rays, triangles), judged_as(variant));
-    right.wrong.is_none() && !super::proof::has_ties(ray, triangles, judged_as(variant))
+    let reported = judged_as(variant, Output::Surface);
+    let right = judge_nearest(&answers, &truth.any, (rays, triangles), reported);
+    right.wrong.is_none() && !super::proof::has_ties(ray, triangles, reported)
 }

@@ -107,7 +107,9 @@ impl<'a> Task<'a> {
         rows.extend(walked.rows);
         let nearest = self.crowd.rays.iter().map(|ray| self.nearby.nearest(ray)).collect();
         let exactly = Exactly { rays: &self.crowd.rays, triangles: self.triangles, nearest };
-        let mut asking = Asking { exactly: &exactly, nearby: &mut self.nearby, way: Way::Nearby };
+        let output = self.wanted.output;
+        let (nearby, way) = (&mut self.nearby, Way::Nearby);
+        let mut asking = Asking { exactly: &exactly, nearby, way, output };
         let pilot = pilot::fly(&mut asking);
         let mut situation = Situation {
             looks: self.looks.clone(),
@@ -122,7 +124,7 @@ impl<'a> Task<'a> {
             paths: walked.paths,
             preparing: None,
         };
-        let (output, tight) = (self.wanted.output, pilot.leaks > 0);
+        let tight = pilot.leaks > 0;
         let Some(default) = contest::default_variant(output, tight, pilot.too_coarse > 0) else {
             return Ok(None);
         };
@@ -164,8 +166,9 @@ impl<'a> Task<'a> {
     }
 }
 
-/// Groups that are timed, more or less: paths, pairs, heats, preparing, finals.
-const GROUPS: usize = 8;
+/// Groups that are timed, more or less: paths and preparing; pairs, heats and finals in four times the
+/// rounds, since they are reshuffled.
+const GROUPS: usize = 2 + 4 * 6;
 
 /// Triangles that are prepared: corners and records fit the first cache.
 const PREPARED: usize = 256;
