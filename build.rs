@@ -27,11 +27,17 @@ fn main() {
     embed_configs();
 }
 
-/// Lists the experiments for the program to carry with it: a new file needs no line of code.
+/// Lists the files for the program to carry with it: a new one needs no line of code.
 /// A list that cannot be written fails the build where it is included, with its path.
 fn embed_configs() {
+    embed("configs", "CONFIGS", "configs.rs");
+    embed("configs/published", "PAPERS", "papers.rs");
+}
+
+/// Writes a list of the TOML files of a folder, with their texts.
+fn embed(folder: &str, name: &str, list: &str) {
     let here = env::var("CARGO_MANIFEST_DIR").unwrap_or_default();
-    let folder = Path::new(&here).join("configs");
+    let folder = Path::new(&here).join(folder);
     let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
     let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
     let mut names: Vec<String> = names.filter(|name| name.ends_with(".toml")).collect();
@@ -41,9 +47,9 @@ fn embed_configs() {
         format!("    ({name:?}, include_str!({:?})),\n", path.display().to_string())
     };
     let items: String = names.iter().map(item).collect();
-    let list = format!("pub const CONFIGS: &[(&str, &str)] = &[\n{items}];\n");
+    let text = format!("pub const {name}: &[(&str, &str)] = &[\n{items}];\n");
     if let Ok(out) = env::var("OUT_DIR") {
-        let _ = std::fs::write(Path::new(&out).join("configs.rs"), list);
+        let _ = std::fs::write(Path::new(&out).join(list), text);
     }
 }
 

@@ -2,6 +2,7 @@
 # A quick run of the program from end to end: exit codes, counts and files, no times.
 set -euo pipefail
 program=$(realpath "${1:-target/release/ray_test}")
+scripts=$(cd "$(dirname "$0")" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -117,6 +118,40 @@ cmp first/twice/rows.json results/baselines/mine/twice/rows.json || fail "anothe
 expect 0 "a baseline is held against" "$program" run twice.toml --out second --baseline mine \
     --threshold 1000%
 has "threshold 1000 %" out
+
+expect 0 "a report of stored rows" "$program" report part
+expect 0 "two measurements side by side" "$program" report part slower --out both
+for file in environment.json h-5/rows.csv h-5/h-5--1.svg h-5/h-5--2.svg; do
+    [ -s "both/$file" ] || fail "no both/$file"
+done
+has '#2' both/h-5/rows.csv
+expect 0 "what was put together, read again" "$program" report both --out again
+cmp both/h-5/rows.csv again/h-5/rows.csv || fail "other rows when read again"
+cmp both/h-5/h-5--2.svg again/h-5/h-5--2.svg || fail "another figure when read again"
+expect 2 "a report of several without a place" "$program" report part slower
+expect 2 "a report of nothing" "$program" report missing
+expect 2 "a share that is none" "$program" reproduce --shard 4/3
+cat >errors.toml <<'EOF'
+id = "errors"
+title = "Errors?"
+question = "Do shares add up?"
+why = "They must."
+variants = ["^(wald|keidy|chirkov)/f32/single/sse2/early/last/plain/tuv$"]
+[workload]
+kind = "errors"
+hits = 200
+seeds = 3
+EOF
+expect 0 "shares, one after the other" env RAY_TEST="$program" OUT=array PROFILE=quick \
+    "$scripts/slurm_array.sh" --local 4 errors.toml
+expect 0 "the same in one" "$program" run errors.toml --out unsplit
+cmp array/merged/errors/rows.csv unsplit/errors/rows.csv || fail "shares that do not add up"
+printf ':\nme@elsewhere # not reached here\n' >hosts
+expect 0 "many machines, dry" "$scripts/many_machines.sh" --dry-run hosts errors.toml
+has 'me@elsewhere: .*run errors.toml' out
+expect 2 "no machines" "$scripts/many_machines.sh" --dry-run /dev/null errors.toml
+expect 0 "builds, dry" "$scripts/builds.sh" --dry-run --levels 2,3 --out builds errors.toml
+has 'OPT_LEVEL=2' out
 
 # 3000 cases: hits, edges, misses and one that is no number, in turn.
 awk 'BEGIN {

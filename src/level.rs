@@ -45,13 +45,13 @@ macro_rules! level {
 }
 
 level! {
-    #[cfg(target_arch = "x86_64")]
-    Sse2 "sse2" Sse2 as_sse2 "The baseline of x86-64: four f32 or two f64 to a register.";
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    Sse2 "sse2" Sse2 as_sse2 "The baseline of x86-64 and of Rust on x86: four f32 or two f64 to a register.";
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     Sse42 "sse4.2" Sse4_2 as_sse4_2 "SSE4.2: the same registers, more instructions.";
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     Avx2 "avx2" Avx2 as_avx2 "AVX2 with FMA: eight f32 or four f64 to a register.";
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     Avx512 "avx512" Avx512 as_avx512 "AVX-512 as of Ice Lake: sixteen f32 or eight f64 to a register.";
     #[cfg(target_arch = "aarch64")]
     Neon "neon" Neon as_neon "The baseline of AArch64: four f32 or two f64 to a register.";

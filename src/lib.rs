@@ -9,8 +9,11 @@
 //! ```
 //! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
 //! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock; [`scene`] reads
-//! meshes, draws rays for them, and says what both are like;
+//! meshes, draws rays for them, and says what both are like; [`render`] makes pictures of them;
 //! [`doctor`] measures a kernel against copies of itself, to tell what the machine is good for.
+//! [`recommend`] tells, from stored rows, which variant to take.
+//! The module `structure` arranges many triangles for rays, with any kernel at its leaves: bounding
+//! volumes, subdivisions of space, hierarchies, and the fast path of groups.
 //! The modules below stand in reading order.
 //!
 //! A kernel is a function of a [number](number::Real) and a [policy](policy::Policy). The same
@@ -19,9 +22,10 @@
 //! ```
 //! use ray_test::kernels::{Corners, Kernel, MollerTrumbore};
 //! use ray_test::number::Vec3;
-//! use ray_test::policy::{Early, Form, Last, Plain, Ray, Tuv};
+//! use ray_test::policy::{Compare, Early, Form, Inside, Last, Plain, Ray, Tuv, TwoSided};
 //!
-//! type Usual = Form<Early, Last, Plain, Tuv>;
+//! type Test = MollerTrumbore;
+//! type Usual = Form<Early, Last, Plain, Tuv, TwoSided, Compare, Inside>;
 //! let triangle = Corners {
 //!     a: Vec3([0.0f32, 0.0, 2.0]),
 //!     b: Vec3([4.0, 0.0, 2.0]),
@@ -34,9 +38,9 @@
 //!     t_min: 0.0,
 //!     t_max: f32::MAX,
 //! };
-//! let met = MollerTrumbore::meet::<Usual, f32>((), &MollerTrumbore::prepare(&triangle));
-//! let aim = MollerTrumbore::aim::<Usual, f32>(&ray);
-//! let found = MollerTrumbore::test::<Usual, f32>(&ray, &aim, &met).expect("through the middle");
+//! let met = Test::meet::<Usual, f32>((), &Test::prepare(&triangle));
+//! let aim = Test::aim::<Usual, f32>(&ray);
+//! let found = Test::test::<Usual, f32>(&ray, &aim, &met).expect("through the middle");
 //! assert!(found.hit);
 //! assert_eq!((found.t, found.u, found.v), (2.0, 0.25, 0.5));
 //! ```
@@ -105,6 +109,9 @@ pub mod measure;
 pub mod spread;
 
 #[cfg(feature = "cli")]
+pub mod shard;
+
+#[cfg(feature = "cli")]
 pub mod table;
 
 #[cfg(feature = "cli")]
@@ -120,6 +127,12 @@ pub mod results;
 pub mod claims;
 
 #[cfg(feature = "cli")]
+pub mod recommend;
+
+#[cfg(feature = "cli")]
+pub mod report;
+
+#[cfg(feature = "cli")]
 pub mod compare;
 
 #[cfg(feature = "cli")]
@@ -127,6 +140,9 @@ pub mod stability;
 
 #[cfg(feature = "cli")]
 pub mod scene;
+
+#[cfg(feature = "cli")]
+pub mod render;
 
 #[cfg(feature = "cli")]
 pub mod experiment;

@@ -4,11 +4,11 @@
 use super::axis::Axis;
 use super::bar_widths::Widths;
 use super::canvas::{Anchor, Type};
-use super::figure::{Figure, Scale};
+use super::figure::{Figure, Scale, Within};
 use super::frame::{Frame, MARGIN, SMALL, bound_note, heading, published_note, title};
 use super::palette::{FAINT, GREY, INK, style};
 use super::published::{Measure, Published};
-use super::select::{self, Point, Selection};
+use super::select::{self, Point, Selection, Values};
 use super::{ChartError, text};
 use crate::table::Row;
 
@@ -50,14 +50,12 @@ pub(super) fn draw(
     published: &Published,
 ) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
-    let mut ours = selection.points_of_all(figure)?;
+    let ((mut ours, mut theirs, relative_to), without_unit) =
+        values(figure, &selection, published)?;
     let panels = select::distinct(&ours, |point| &point.panel);
-    let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
-    if let Some(base) = &figure.normalise_to {
-        let first = select::normalise_both(&mut ours, &mut theirs, base)?;
-        y_title =
-            format!("{y_title}, relative to {} at {}", figure.label(base), figure.label(&first));
+    if let Some(relative_to) = relative_to {
+        y_title = format!("{y_title}, relative to {relative_to}");
     }
     if figure.scale == Scale::Log {
         y_title.push_str(" (log scale)");
@@ -70,7 +68,7 @@ pub(super) fn draw(
     for points in [&mut ours, &mut theirs] {
         points.retain(|point| figure.scale == Scale::Linear || point.y > 0.0);
     }
-    let hidden = before - ours.len() - theirs.len();
+    let hidden = before - ours.len() - theirs.len() + without_unit;
     let plan = plan(figure, panels, ours, theirs)?;
     let mut notes = vec![
         selection.source(),
@@ -85,6 +83,31 @@ pub(super) fn draw(
         notes.push(format!("values without a place on the axis, not drawn: {hidden}"));
     }
     drawn(figure, &plan, &y_title, &notes)
+}
+
+/// Ours, the published ones, and by what they are divided, if they are; how many of them had nothing
+/// to be divided by.
+pub(super) fn values(
+    figure: &Figure,
+    selection: &Selection<'_>,
+    published: &Published,
+) -> Result<(Values, usize), ChartError> {
+    let mut ours = selection.points_of_all(figure)?;
+    let panels = select::distinct(&ours, |point| &point.panel);
+    let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
+    let Some(base) = &figure.normalise_to else { return Ok(((ours, theirs, None), 0)) };
+    let name = figure.label(base);
+    if figure.normalise == Within::Panel {
+        let first = select::normalise_both(&mut ours, &mut theirs, base)?;
+        let relative_to = format!("{name} at {}", figure.label(&first));
+        return Ok(((ours, theirs, Some(relative_to)), 0));
+    }
+    let mut left_out = select::normalise_within_x(&mut theirs, base);
+    left_out += select::normalise_within_x(&mut ours, base);
+    if ours.is_empty() {
+        return Err(ChartError::Nothing(format!("there is no value of {base} to divide by")));
+    }
+    Ok(((ours, theirs, Some(format!("{name} in the same group"))), left_out))
 }
 
 fn plan(
@@ -258,8 +281,11 @@ fn described(figure: &Figure, plan: &Plan, y_title: &str) -> String {
     let extreme = |better: fn(f64, f64) -> bool| {
         let point = plan.ours.iter().reduce(|a, b| if better(b.y, a.y) { b } else { a });
         point.map_or(String::new(), |point| {
-            let names = [&point.panel, &point.x, &point.series].map(|name| figure.label(name));
-            let names: Vec<_> = names.into_iter().filter(|name| !name.is_empty()).collect();
+            // An empty x may have words, the panel of a figure without panels has none.
+            let panel = Some(&point.panel).filter(|panel| !panel.is_empty());
+            let names = panel.into_iter().chain([&point.x, &point.series]);
+            let names: Vec<_> =
+                names.map(|name| figure.label(name)).filter(|name| !name.is_empty()).collect();
             format!("{} ({})", text::figure(point.y), names.join(", "))
         })
     };

@@ -4,9 +4,9 @@ use super::palette::{PAPER, Shape};
 use super::{ChartError, svg, text};
 use plotters::backend::SVGBackend;
 use plotters::drawing::IntoDrawingArea;
-use plotters::element::{PathElement, Polygon, Text as PlottersText};
+use plotters::element::{Circle, PathElement, Polygon, Text as PlottersText};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color, FontStyle, IntoFont, RGBColor, TextStyle};
+use plotters::style::{Color, FontStyle, IntoFont, RGBColor, ShapeStyle, TextStyle};
 
 /// A place in the picture, in its own units, y downwards.
 pub(super) type Place = (f64, f64);
@@ -46,9 +46,28 @@ impl Type {
 }
 
 enum Mark {
-    Line { points: Vec<Place>, colour: RGBColor, width: f64 },
-    Area { points: Vec<Place>, colour: RGBColor, opacity: f64 },
-    Text { at: Place, text: String, style: Type },
+    Line {
+        points: Vec<Place>,
+        colour: RGBColor,
+        width: f64,
+    },
+    Area {
+        points: Vec<Place>,
+        colour: RGBColor,
+        opacity: f64,
+    },
+    /// A circle, filled or, with a width, drawn round.
+    Round {
+        at: Place,
+        radius: f64,
+        colour: RGBColor,
+        width: Option<f64>,
+    },
+    Text {
+        at: Place,
+        text: String,
+        style: Type,
+    },
 }
 
 /// plotters places everything on whole numbers; drawn ten times as large and scaled back, lines that
@@ -98,17 +117,29 @@ impl Canvas {
 
     /// A marker with a white rim, so that it stays apart from lines beneath it.
     pub fn marker(&mut self, shape: Shape, at: Place, radius: f64, colour: RGBColor) {
-        self.area(&shape.corners(at, radius + 0.8), PAPER, 1.0);
-        self.area(&shape.corners(at, radius), colour, 1.0);
+        self.filled(shape, at, radius + 0.8, PAPER);
+        self.filled(shape, at, radius, colour);
+    }
+
+    fn filled(&mut self, shape: Shape, at: Place, radius: f64, colour: RGBColor) {
+        match shape {
+            Shape::Circle => self.marks.push(Mark::Round { at, radius, colour, width: None }),
+            other => self.area(&other.corners(at, radius), colour, 1.0),
+        }
     }
 
     /// A hollow marker: what was published, not measured.
     pub fn hollow(&mut self, shape: Shape, at: Place, radius: f64, colour: RGBColor) {
+        const WIDTH: f64 = 1.6;
+        self.filled(shape, at, radius, PAPER);
+        if shape == Shape::Circle {
+            self.marks.push(Mark::Round { at, radius, colour, width: Some(WIDTH) });
+            return;
+        }
         let mut outline = shape.corners(at, radius);
-        self.area(&outline, PAPER, 1.0);
         outline.extend(outline.first().copied());
         outline.extend(outline.get(1).copied());
-        self.line(&outline, colour, 1.6);
+        self.line(&outline, colour, WIDTH);
     }
 
     /// The interval from `low` to `high` with ends across it.
@@ -160,6 +191,10 @@ impl Canvas {
                     Mark::Area { points, colour, opacity } => {
                         area.draw(&Polygon::new(fine(points), colour.mix(*opacity).filled()))
                     }
+                    Mark::Round { at, radius, colour, width } => {
+                        let (at, radius) = (fine_place(*at), (radius * FINENESS).round() as i32);
+                        area.draw(&Circle::new(at, radius, round_style(*colour, *width)))
+                    }
                     Mark::Text { at, text, style } => {
                         area.draw(&PlottersText::new(text.as_str(), fine_place(*at), font(style)))
                     }
@@ -169,6 +204,13 @@ impl Canvas {
             area.present().map_err(|error| failed(&error))?;
         }
         Ok(svg::scaled(&drawn, FINENESS))
+    }
+}
+
+fn round_style(colour: RGBColor, width: Option<f64>) -> ShapeStyle {
+    match width {
+        None => colour.filled(),
+        Some(width) => colour.stroke_width((width * FINENESS).round() as u32),
     }
 }
 

@@ -15,7 +15,7 @@ const LINE: f64 = 40.0;
 const SIZE: f64 = 15.0;
 
 /// Heading, published name and our columns; a change of sign is a subtraction, as the thesis counts.
-const OPERATIONS: [(&str, &str, &str); 5] = [
+pub(super) const OPERATIONS: [(&str, &str, &str); 5] = [
     ("+", "add", "additions"),
     ("−", "sub", "subtractions"),
     ("×", "mul", "multiplications"),
@@ -24,9 +24,9 @@ const OPERATIONS: [(&str, &str, &str); 5] = [
 ];
 
 /// One kernel's counts.
-struct Line {
-    name: String,
-    ours: [Option<u64>; 5],
+pub(super) struct Line {
+    pub name: String,
+    pub ours: [Option<u64>; 5],
 }
 
 /// Draws the figure.
@@ -62,7 +62,7 @@ pub(super) fn draw(
 }
 
 /// The largest count of each operation over a kernel's rows: rows by return code count shorter paths.
-fn lines(figure: &Figure, selection: &Selection<'_>) -> Vec<Line> {
+pub(super) fn lines(figure: &Figure, selection: &Selection<'_>) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     for row in &selection.rows {
         let name = select::joined(row, &figure.series);

@@ -37,6 +37,17 @@ pub enum Scale {
     Log,
 }
 
+/// Whose value `normalise_to` divides by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Within {
+    /// That of the panel, at the first x.
+    #[default]
+    Panel,
+    /// That of the panel at the same x.
+    X,
+}
+
 /// One name, or a list of them.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(untagged)]
@@ -131,6 +142,10 @@ pub struct Figure {
     /// named here at its first x, so that times of different machines share an axis. `shares`: the
     /// category whose lower figure is 1.
     pub normalise_to: Option<String>,
+    /// `bars` with `normalise_to` only: `panel` (default), or `x` to divide by the value at the same
+    /// x, so that each category has a unit of its own.
+    #[serde(default)]
+    pub normalise: Within,
     /// A value of y at which a line is drawn across, for instance 1 for ratios.
     pub reference: Option<f64>,
     /// `lines` only: column(s) of values of x at which an upright line is drawn, named by its label.
@@ -158,6 +173,10 @@ pub struct Figure {
     /// Value as stored to the words shown for it, for series, panels and categories.
     #[serde(default)]
     pub labels: BTreeMap<String, String>,
+    /// Whether question and subtitle stand in the page around the picture, and not in it. For
+    /// programs: no configuration sets it.
+    #[serde(skip)]
+    pub bare: bool,
 }
 
 fn kernel() -> Names {

@@ -23,9 +23,12 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Starts a figure: the question in bold, then the subtitle.
+    /// Starts a figure: the question in bold, then the subtitle, unless the page has them.
     pub fn new(figure: &Figure, width: f64) -> Self {
         let mut frame = Frame { canvas: Canvas::default(), top: 14.0, width };
+        if figure.bare {
+            return frame;
+        }
         frame.paragraph(&figure.question, Type::new(TITLE, INK).bold());
         frame.top += 4.0;
         frame.paragraph(&figure.subtitle, Type::new(SUBTITLE, GREY));
@@ -107,7 +110,7 @@ pub(super) fn placeholder(figure: &Figure, reason: &str) -> Result<String, Chart
 }
 
 /// A column's title on an axis, with its unit.
-pub(super) fn title(column: &str) -> String {
+pub fn title(column: &str) -> String {
     let known = match column {
         "density" => "density: share of the pairs that hit",
         "ns_per_test" | "min_ns" => "nanoseconds per test",

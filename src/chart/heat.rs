@@ -65,7 +65,7 @@ pub(super) fn draw(figure: &Figure, rows: &[Row]) -> Result<String, ChartError> 
 }
 
 /// The numbers in the fields.
-fn shown(
+pub(super) fn shown(
     figure: &Figure,
     selection: &Selection<'_>,
     shares: &[Point],
@@ -84,7 +84,7 @@ fn named(figure: &Figure, name: &String) -> Type {
 
 /// The series that stands apart, then the others, the best (the largest mean) first; and how many
 /// are left out: a line of gaps says nothing beside the others.
-fn ordered(figure: &Figure, shares: &[Point], columns: usize) -> (Vec<String>, usize) {
+pub(super) fn ordered(figure: &Figure, shares: &[Point], columns: usize) -> (Vec<String>, usize) {
     let mut series = select::distinct(shares, |point| &point.series);
     let all = series.len();
     let fields = |name: &String| shares.iter().filter(|point| point.series == *name).count();

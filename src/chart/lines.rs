@@ -8,7 +8,7 @@ use super::frame::{Frame, MARGIN, SMALL, heading, published_note, title};
 use super::line_marks::{Area, LABEL_GAP, LABEL_INDENT, Plan, label, series_drawn};
 use super::palette::{FAINT, GREY, INK, LEADER};
 use super::published::{Measure, Published};
-use super::select::{self, Point, Selection};
+use super::select::{self, Point, Selection, Values};
 use super::upright;
 use super::{ChartError, text};
 use crate::table::Row;
@@ -23,12 +23,10 @@ pub(super) fn draw(
     published: &Published,
 ) -> Result<String, ChartError> {
     let selection = Selection::new(figure, rows)?;
-    let mut ours = selection.points_by_column(figure)?;
+    let (ours, theirs, first) = values(figure, &selection, published)?;
     let panels = select::distinct(&ours, |point| &point.panel);
-    let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
     let mut y_title = figure.y_title.clone().unwrap_or_else(|| title(&figure.y));
-    if let Some(base) = &figure.normalise_to {
-        let first = select::normalise_both(&mut ours, &mut theirs, base)?;
+    if let (Some(base), Some(first)) = (&figure.normalise_to, first) {
         let x = figure.x.list().join(" ").replace('_', " ");
         y_title = format!("{y_title}, relative to {} at {x} {first}", figure.label(base));
     }
@@ -54,6 +52,21 @@ pub(super) fn draw(
         notes.push(format!("values without a place on the axes, not drawn: {hidden}"));
     }
     panels_drawn(figure, &plan, &y_title, &notes)
+}
+
+/// Ours, the published ones, and the name of the x at which they are 1, where they are divided.
+pub(super) fn values(
+    figure: &Figure,
+    selection: &Selection<'_>,
+    published: &Published,
+) -> Result<Values, ChartError> {
+    let mut ours = selection.points_by_column(figure)?;
+    let panels = select::distinct(&ours, |point| &point.panel);
+    let mut theirs = select::published(figure, published, Measure::Seconds, &panels);
+    let base = figure.normalise_to.as_ref();
+    let first =
+        base.map(|base| select::normalise_both(&mut ours, &mut theirs, base)).transpose()?;
+    Ok((ours, theirs, first))
 }
 
 fn plan(

@@ -18,6 +18,7 @@ mod labels;
 mod line_marks;
 mod lines;
 mod normalise;
+mod numbers;
 mod palette;
 mod precision;
 mod published;
@@ -28,14 +29,22 @@ mod svg;
 #[cfg(test)]
 mod tests;
 mod text;
+mod timeline;
 mod upright;
 mod wanted;
 
+pub use ambiguous::differing;
 pub use envelope::Envelope;
-pub use figure::{Beside, Figure, Kind, Names, Scale};
+pub use figure::{Beside, Figure, Kind, Names, Scale, Within};
+pub use frame::title;
+pub use numbers::{Count, Field, Numbers, numbers};
+pub use precision::{Dot, Standing, on_steps};
 pub use published::{Measure, Published, PublishedPoint};
+pub use select::Point;
 pub use stability::stability_figures;
-pub use wanted::Wanted;
+pub use text::figure as short_figure;
+pub use timeline::timeline;
+pub use wanted::{Wanted, admits};
 
 use crate::table::Row;
 

@@ -3,15 +3,15 @@
 use super::ChartError;
 use super::ambiguous::ambiguous;
 use super::figure::{Figure, Names};
-pub(super) use super::normalise::{normalise_both, scale};
+pub(super) use super::normalise::{normalise_both, normalise_within_x, scale};
 use super::published::{Measure, Published};
 use crate::stats::median;
-use crate::table::{Cell, Row};
+use crate::table::{Cell, Row, interval};
 use std::collections::BTreeSet;
 
 /// One value to draw.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Point {
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Point {
     /// Which small multiple; empty if there is only one.
     pub panel: String,
     /// Which line or bar.
@@ -23,6 +23,9 @@ pub(super) struct Point {
     /// Its interval.
     pub interval: Option<(f64, f64)>,
 }
+
+/// Ours, the published ones, and the name of the x at which they are 1, where they are divided.
+pub(super) type Values = (Vec<Point>, Vec<Point>, Option<String>);
 
 impl Point {
     /// `x` as a number, if it is one.
@@ -184,26 +187,6 @@ pub(super) fn joined(row: &Row, columns: &Names) -> String {
     let cells = columns.list().iter().filter_map(|column| row.cell(column));
     let texts = cells.map(|cell| cell.to_string()).filter(|text| !text.is_empty());
     texts.collect::<Vec<_>>().join(" · ")
-}
-
-/// The interval of a figure. Rows store that of the time and of the ratio; figures that are
-/// proportional to the time, or to its inverse, have the same one relatively.
-pub(super) fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
-    let (low, high) = match column {
-        "ratio_to_reference" => (row.ratio_low?, row.ratio_high?),
-        "price" => (row.price_low?, row.price_high?),
-        "ns_per_test" => (row.ns_low?, row.ns_high?),
-        "latency_ns_per_test" => (row.latency_ns_low?, row.latency_ns_high?),
-        "cold_ns_per_test" => (row.cold_ns_low?, row.cold_ns_high?),
-        "total_cycles_per_ray" => (row.total_cycles_per_ray_low?, row.total_cycles_per_ray_high?),
-        "prepare_cycles_per_triangle" => (row.prepare_cycles_low?, row.prepare_cycles_high?),
-        "pays_from_rays" => (row.pays_from_low?, row.pays_from_high?),
-        "cycles_per_test" => (row.cycles_low?, row.cycles_high?),
-        "seconds" => (y * row.ns_low? / row.ns_per_test?, y * row.ns_high? / row.ns_per_test?),
-        "mtests_per_s" => (y * row.ns_per_test? / row.ns_high?, y * row.ns_per_test? / row.ns_low?),
-        _ => return None,
-    };
-    (low.is_finite() && high.is_finite() && low <= high).then_some((low, high))
 }
 
 fn differ(one: &Row, other: &Row, column: &str) -> bool {

@@ -18,10 +18,10 @@ const SLOT: f64 = 66.0;
 const VALUE_SIZE: f64 = 11.0;
 
 /// One of the two charts.
-struct Half {
+pub(super) struct Half {
     title: String,
-    ours: Vec<Point>,
-    published: Vec<Point>,
+    pub ours: Vec<Point>,
+    pub published: Vec<Point>,
     axis: Axis,
 }
 
@@ -59,7 +59,8 @@ pub(super) fn draw(
     drawn(figure, published, &plan, &halves, &notes)
 }
 
-fn upper(
+/// What the upper chart shows.
+pub(super) fn upper(
     figure: &Figure,
     selection: &Selection<'_>,
     published: &Published,
@@ -75,7 +76,8 @@ fn upper(
     Ok(half(title, ours, theirs))
 }
 
-fn lower(
+/// What the lower chart shows.
+pub(super) fn lower(
     figure: &Figure,
     column: &str,
     selection: &Selection<'_>,

@@ -2,7 +2,7 @@
 
 use super::Wanted;
 use super::envelope::Envelope;
-use super::figure::{Figure, Kind, Names, Scale};
+use super::figure::{Figure, Kind, Names, Scale, Within};
 use crate::table::Row;
 use std::collections::BTreeMap;
 
@@ -45,7 +45,7 @@ fn filter(pairs: &[(&str, &str)]) -> BTreeMap<String, Wanted> {
 }
 
 /// A figure of which only the name, the kind and the question are known.
-fn blank(file: String, kind: Kind, question: String) -> Figure {
+pub(super) fn blank(file: String, kind: Kind, question: String) -> Figure {
     Figure {
         file,
         kind,
@@ -65,6 +65,7 @@ fn blank(file: String, kind: Kind, question: String) -> Figure {
         scale: Scale::Linear,
         x_scale: Scale::Linear,
         normalise_to: None,
+        normalise: Within::Panel,
         x_marks: Names::default(),
         reference: None,
         envelope: None,
@@ -76,6 +77,7 @@ fn blank(file: String, kind: Kind, question: String) -> Figure {
         x_high: None,
         errors_from: BTreeMap::new(),
         labels: BTreeMap::new(),
+        bare: false,
     }
 }
 

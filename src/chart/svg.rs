@@ -1,33 +1,107 @@
 //! What plotters leaves undone in the SVG text: scale, title, description, role.
 
 /// Attributes of plotters' elements that are lengths.
-const LENGTHS: [&str; 11] =
-    ["x", "y", "x1", "y1", "x2", "y2", "width", "height", "points", "font-size", "stroke-width"];
+const LENGTHS: [&str; 14] = [
+    "x",
+    "y",
+    "x1",
+    "y1",
+    "x2",
+    "y2",
+    "cx",
+    "cy",
+    "r",
+    "width",
+    "height",
+    "points",
+    "font-size",
+    "stroke-width",
+];
+
+/// What is the same for every text stands once, at the root.
+const INHERITED: &str = "font-family";
+
+/// Attributes that say what holds without them.
+const DEFAULTS: [(&str, &str); 3] =
+    [("opacity", "1"), ("stroke", "none"), ("text-anchor", "start")];
 
 /// Divides every length by `factor`, drops the fixed size (so that the picture scales; the viewBox
-/// stays) and centres texts on their capitals.
+/// stays), centres texts on their capitals, and says nothing twice: a figure is half as large then.
 pub(super) fn scaled(drawn: &str, factor: f64) -> String {
-    let mut out = String::with_capacity(drawn.len());
+    let mut out = String::with_capacity(drawn.len() / 2);
+    let mut lines = Lines::default();
     let mut rest = drawn;
     while let Some(start) = rest.find('<') {
         let Some(end) = rest[start..].find('>').map(|end| start + end + 1) else { break };
         // Text between tags: plotters puts it on a line of its own.
-        out.push_str(rest[..start].trim());
-        if rest[..start].trim().is_empty()
-            && !out.is_empty()
-            && !rest[start..].starts_with("</text")
-        {
+        let words = rest[..start].trim();
+        let tag = tag(&rest[start..end], factor);
+        rest = &rest[end..];
+        if lines.takes(&tag) {
+            continue;
+        }
+        lines.end(&mut out);
+        // A line of another look.
+        if lines.takes(&tag) {
+            continue;
+        }
+        out.push_str(words);
+        if words.is_empty() && !out.is_empty() && !tag.starts_with("</text") {
             out.push('\n');
         }
-        out.push_str(&tag(&rest[start..end], factor));
-        rest = &rest[end..];
+        out.push_str(&tag);
     }
     out.push('\n');
-    out
+    inherited(&out)
+}
+
+/// Lines of one look that follow each other, such as the parts of a dashed one: a single path.
+#[derive(Default)]
+struct Lines {
+    look: String,
+    places: Vec<String>,
+}
+
+impl Lines {
+    /// Whether a tag is a line that goes on with those before; if so, it is taken.
+    fn takes(&mut self, tag: &str) -> bool {
+        let parts = tag.strip_prefix("<polyline").and_then(|tag| tag.split_once(" points=\""));
+        let Some((look, end)) = parts else { return false };
+        // Where lines that are not opaque cross, a single path would look different.
+        let goes_on = self.places.is_empty() || (self.look == look && !look.contains("opacity"));
+        if goes_on {
+            self.look = look.to_owned();
+            self.places.push(end.trim_end_matches("\"/>").to_owned());
+        }
+        goes_on
+    }
+
+    /// Writes what was taken.
+    fn end(&mut self, out: &mut String) {
+        match self.places.as_slice() {
+            [] => {}
+            [only] => *out += &format!("\n<polyline{} points=\"{only}\"/>", self.look),
+            several => {
+                *out += &format!("\n<path{} d=\"M{}\"/>", self.look, several.join("M"));
+            }
+        }
+        self.places.clear();
+    }
+}
+
+/// Moves an attribute that all texts share to the root.
+fn inherited(drawn: &str) -> String {
+    let start = format!(" {INHERITED}=\"");
+    let Some(place) = drawn.find(&start) else { return drawn.to_owned() };
+    let length = drawn[place + start.len()..].find('"').map_or(0, |end| start.len() + end + 1);
+    let attribute = &drawn[place..place + length];
+    drawn.replace(attribute, "").replacen("<svg", &format!("<svg{attribute}"), 1)
 }
 
 fn tag(tag: &str, factor: f64) -> String {
     let root = tag.starts_with("<svg");
+    // A width of no line.
+    let unseen = if tag.contains(" stroke=\"none\"") { "stroke-width" } else { "" };
     let mut out = String::with_capacity(tag.len());
     let mut parts = tag.split('"');
     // A tag is: name attribute=" value " attribute=" value " end.
@@ -37,7 +111,9 @@ fn tag(tag: &str, factor: f64) -> String {
             break;
         };
         let name = before.trim_end_matches('=').rsplit(' ').next().unwrap_or("");
-        if root && (name == "width" || name == "height") {
+        let size = root && (name == "width" || name == "height");
+        let said = name == unseen || (!root && DEFAULTS.contains(&(name, value)));
+        if size || said {
             out.push_str(before.trim_end_matches('=').trim_end_matches(name).trim_end());
             continue;
         }
@@ -86,4 +162,40 @@ pub(super) fn described(drawn: &str, file: &str, title: &str, description: &str)
 
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DRAWN: &str = concat!(
+        "<svg width=\"100\" height=\"50\" viewBox=\"0 0 100 50\" xmlns=\"x\">\n",
+        "<polyline fill=\"none\" opacity=\"1\" stroke=\"#111111\" stroke-width=\"10\" points=\"0,10 40,10 \"/>\n",
+        "<polyline fill=\"none\" opacity=\"1\" stroke=\"#111111\" stroke-width=\"10\" points=\"70,10 110,10 \"/>\n",
+        "<polyline fill=\"none\" opacity=\"1\" stroke=\"#222222\" stroke-width=\"10\" points=\"0,5 3,5 \"/>\n",
+        "<polyline fill=\"none\" opacity=\"0.5\" stroke=\"#222222\" stroke-width=\"10\" points=\"0,5 3,5 \"/>\n",
+        "<polyline fill=\"none\" opacity=\"0.5\" stroke=\"#222222\" stroke-width=\"10\" points=\"3,5 4,5 \"/>\n",
+        "<circle cx=\"15\" cy=\"20\" r=\"35\" opacity=\"1\" fill=\"#333333\" stroke=\"none\" stroke-width=\"1\"/>\n",
+        "<text x=\"5\" y=\"5\" dy=\"0.76em\" text-anchor=\"start\" font-family=\"A, B\" font-size=\"120\" ",
+        "opacity=\"1\" fill=\"#444444\">\na &lt; b\n</text>\n",
+        "<text x=\"5\" y=\"9\" dy=\"0.76em\" text-anchor=\"end\" font-family=\"A, B\" font-size=\"120\" ",
+        "opacity=\"1\" fill=\"#444444\">\nc\n</text>\n</svg>\n",
+    );
+
+    /// Lines of one look become a path, unless they are not opaque; what goes without saying goes.
+    #[test]
+    fn a_picture_says_nothing_twice_and_looks_the_same() {
+        let lines = [
+            "<svg font-family=\"A, B\" viewBox=\"0 0 10 5\" xmlns=\"x\">",
+            "<path fill=\"none\" stroke=\"#111111\" stroke-width=\"1\" d=\"M0,1 4,1M7,1 11,1\"/>",
+            "<polyline fill=\"none\" stroke=\"#222222\" stroke-width=\"1\" points=\"0,0.5 0.3,0.5\"/>",
+            "<polyline fill=\"none\" opacity=\"0.5\" stroke=\"#222222\" stroke-width=\"1\" points=\"0,0.5 0.3,0.5\"/>",
+            "<polyline fill=\"none\" opacity=\"0.5\" stroke=\"#222222\" stroke-width=\"1\" points=\"0.3,0.5 0.4,0.5\"/>",
+            "<circle cx=\"1.5\" cy=\"2\" r=\"3.5\" fill=\"#333333\"/>",
+            "<text x=\"0.5\" y=\"0.5\" dy=\"0.35em\" font-size=\"12\" fill=\"#444444\">a &lt; b</text>",
+            "<text x=\"0.5\" y=\"0.9\" dy=\"0.35em\" text-anchor=\"end\" font-size=\"12\" fill=\"#444444\">c</text>",
+            "</svg>",
+        ];
+        assert_eq!(scaled(DRAWN, 10.0).trim().lines().collect::<Vec<_>>(), lines);
+    }
 }

@@ -6,10 +6,12 @@ use std::collections::BTreeMap;
 
 mod boxes;
 mod kinds;
+mod machines;
 mod marks;
 mod precision;
 mod refused;
 mod stability;
+mod timeline;
 
 /// A figure from the text of its TOML table.
 fn figure(text: &str) -> Figure {

@@ -38,7 +38,7 @@ fn cut(word: &str, size: f64, bold: bool, limit: f64) -> Vec<String> {
 }
 
 /// A figure with three significant digits, without an exponent where that stays short.
-pub(super) fn figure(value: f64) -> String {
+pub fn figure(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }

@@ -27,6 +27,6 @@ impl Wanted {
 }
 
 /// Whether a row has a wanted value in every column of a filter.
-pub(super) fn admits(filter: &BTreeMap<String, Wanted>, row: &Row) -> bool {
+pub fn admits(filter: &BTreeMap<String, Wanted>, row: &Row) -> bool {
     filter.iter().all(|(column, wanted)| row.cell(column).is_some_and(|cell| wanted.admits(cell)))
 }

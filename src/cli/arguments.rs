@@ -7,11 +7,15 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use super::baseline::Baselines;
 use super::check::{self, Check};
 use super::compare::Compare;
+use super::recommend::{self, Recommend};
+use super::render::{self, Render};
+use super::report::{self, Report};
 use super::scene::{self, Scene};
 use super::slips::slip;
 use super::stability::{self, Stability};
 use crate::experiment::Profile;
 use crate::measure::{Order, Pin};
+use crate::shard::Shard;
 use crate::workload::Generator;
 
 const EXAMPLES: &str = "\
@@ -96,6 +100,9 @@ pub enum Verb {
         after_help = "Examples:\n  ray_test compare results/before results/after\n  ray_test compare a/b-4.2/rows.json b/b-4.2/rows.json --threshold 5% --format markdown"
     )]
     Compare(Compare),
+    /// Draw everything again from stored rows; put several folders together, or compare them
+    #[command(after_help = report::HELP)]
+    Report(Report),
     /// Sweep stiff and extreme cases: where each kernel starts to fail, which rays it loses
     #[command(after_help = stability::HELP)]
     Stability(Stability),
@@ -105,6 +112,12 @@ pub enum Verb {
     /// Tell what a mesh and its rays need of a test, what can be left out, and what that saves
     #[command(after_help = scene::HELP)]
     Scene(Scene),
+    /// Tell which variant to take, by stored rows
+    #[command(after_help = recommend::HELP)]
+    Recommend(Recommend),
+    /// Make a picture of a scene with any kernel: its time, and where it differs from the exact one
+    #[command(after_help = render::HELP)]
+    Render(Render),
 }
 
 /// `ray_test run`
@@ -148,6 +161,10 @@ pub struct Batch {
     /// program and machine must be the same
     #[arg(long, requires = "out")]
     pub resume: bool,
+    /// Only the I-th of N parts of what needs no clock, and nothing else; `ray_test report` puts
+    /// parts together
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["save_baseline", "baseline"])]
+    pub shard: Option<Shard>,
     /// Results to keep or to be held against.
     #[command(flatten)]
     pub baselines: Baselines,
@@ -223,7 +240,7 @@ pub enum Format {
 macro_rules! words {
     ($(#[$doc:meta])* $name:ident for $target:ty { $($value:ident => $of:expr,)* }) => {
         $(#[$doc])*
-        #[derive(ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
+        #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
         #[allow(missing_docs, reason = "the words explain themselves where they are used")]
         pub enum $name { $($value,)* }
         impl $name {
@@ -234,6 +251,8 @@ macro_rules! words {
         }
     };
 }
+
+pub(super) use words;
 
 words! {
     /// Order of the pairs.

@@ -5,16 +5,19 @@ use std::io::Write;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
+use regex::Regex;
+
 use super::arguments::{Batch, Reproduce, Run};
+use super::estimate::{dry_run, seconds_of_all};
 use super::failure::Failure;
 use super::folder::{Before, Folder, Source, built_in_sources};
 use super::instruments::Instruments;
-use super::{interrupt, lock, progress, unfinished};
-use crate::experiment::{
-    ErrorsWorkload, Experiment, PairsWorkload, Plan, Profile, StiffWorkload, Workload, pattern_of,
-    run as run_plan,
-};
+use super::publish::{publish, read};
+use super::sweep::{of_profile, sweep_once};
+use super::{interrupt, lock, progress, rounds, shards, unfinished};
+use crate::experiment::{Experiment, Plan, pattern_of, run as run_plan};
 use crate::measure::Environment;
+use crate::stability::Sweep;
 use crate::workload::hash::Fnv;
 
 /// Experiments from files.
@@ -26,57 +29,64 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
         })?;
         sources.push((path.display().to_string(), text));
     }
-    carry_out(sources, &arguments.batch)
+    carry_out(sources, &arguments.batch, false)
 }
 
-/// The experiments that are compiled in.
+/// The experiments that are compiled in, and the stiff cases.
 pub fn reproduce(arguments: &Reproduce) -> Result<(), Failure> {
-    carry_out(built_in_sources(), &arguments.batch)
+    carry_out(built_in_sources(), &arguments.batch, true)
 }
 
 /// Everything that can be refused is refused before anything runs.
-fn carry_out(sources: Vec<Source>, batch: &Batch) -> Result<(), Failure> {
-    let plans = plans(&sources, batch)?;
+fn carry_out(sources: Vec<Source>, batch: &Batch, with_stiff: bool) -> Result<(), Failure> {
+    let filter = filter(batch)?;
+    let mut plans = plans(&sources, filter.as_ref())?;
     if plans.is_empty() {
         // All of them are of another build, which was said.
         return Ok(());
     }
+    if batch.shard.is_some() {
+        plans = shards::clock_free(plans)?;
+    }
     let experiments: Vec<String> = plans.iter().map(|plan| plan.experiment.id.clone()).collect();
     batch.baselines.check(&experiments)?;
     let profile = batch.profile.value();
+    let sweep = if with_stiff { of_profile(profile, filter.as_ref(), batch.shard) } else { None };
     if batch.dry_run {
-        return dry_run(&plans, profile);
+        return dry_run(&plans, sweep.as_ref(), profile, batch.shard);
+    }
+    if let Some(shard) = batch.shard {
+        let environment = shards::environment();
+        let hash = config_hash(&plans, &sources, batch, &environment);
+        let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
+        return shards::carry_out(&plans, sweep.as_ref(), batch, &folder.of_shard(shard));
     }
     let _lock = lock::take()?;
     let (instruments, environment) = Instruments::set_up(batch.pin)?;
     let hash = config_hash(&plans, &sources, batch, &environment);
     let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
-    let before = plans
-        .iter()
-        .map(|plan| if batch.resume { folder.before(plan) } else { Ok(Before::Nothing) });
-    let before = before.collect::<Result<Vec<_>, _>>()?;
-    folder.create()?;
-    if batch.resume {
-        folder.tidy(&plans);
-    } else {
-        folder.begin_anew(&plans)?;
-    }
+    let folder = if batch.resume { folder.going_on() } else { folder };
+    let before = folder.open(&plans, batch.resume)?;
     eprintln!(
         "{} experiments, about {} s; results in {}",
         plans.len(),
-        plans.iter().map(|plan| estimate(plan, profile).total()).sum::<f64>().ceil(),
+        seconds_of_all(&plans, sweep.as_ref(), profile, None).ceil(),
         folder.path().display()
     );
-    let ended = measure(&plans, before, batch, &folder, instruments);
+    let ended = measure(&plans, before, batch, &folder, instruments)
+        .and_then(|wrong| conclude(sweep.as_ref(), batch, &folder, wrong));
     batch.baselines.finish(ended, folder.path(), &experiments)
 }
 
-fn plans(sources: &[Source], batch: &Batch) -> Result<Vec<Plan>, Failure> {
+fn filter(batch: &Batch) -> Result<Option<Regex>, Failure> {
     let filter = batch.filter.as_deref().map(pattern_of).transpose();
-    let filter = filter.map_err(|error| Failure::Usage(format!("--filter: {error}")))?;
+    filter.map_err(|error| Failure::Usage(format!("--filter: {error}")))
+}
+
+fn plans(sources: &[Source], filter: Option<&Regex>) -> Result<Vec<Plan>, Failure> {
     let mut plans: Vec<Plan> = Vec::new();
     for (origin, experiment) in here(sources)? {
-        let plan = Plan::new(origin, experiment, filter.as_ref())?;
+        let plan = Plan::new(origin, experiment, filter)?;
         if plans.iter().any(|other| other.experiment.id == plan.experiment.id) {
             return Err(Failure::Usage(format!(
                 "{origin}: id '{}' stands in two files; allowed: one",
@@ -122,92 +132,15 @@ fn here(sources: &[Source]) -> Result<Vec<(&str, Experiment)>, Failure> {
     Ok(experiments)
 }
 
-/// What an experiment is expected to take, in seconds.
-struct Estimate {
-    timing: f64,
-    clock_free: f64,
-    drawing: f64,
-}
-
-impl Estimate {
-    fn total(&self) -> f64 {
-        self.timing + self.clock_free + self.drawing
-    }
-}
-
-/// Blocks take their time by design; drawing pairs, the exact answers and the check of each
-/// variant were measured at about these rates, and a figure takes a few milliseconds.
-fn estimate(plan: &Plan, profile: Profile) -> Estimate {
-    let timing = plan.seconds(profile);
-    let checked = (plan.cells().len() * plan.variants.len()) as f64;
-    let clock_free = match &plan.experiment.workload {
-        Workload::Codes(codes) => 0.4e-6 * (codes.pairs * plan.variants.len()) as f64,
-        Workload::Errors(errors) => of_errors(plan, errors),
-        Workload::Pairs(PairsWorkload { errors, stiff, .. }) => {
-            let random = errors.as_ref().map_or(0.0, |errors| of_errors(plan, errors));
-            let stiff = stiff.as_ref().map_or(0.0, |stiff| of_stiff(plan, stiff));
-            random + stiff + 2e-3 * checked + 10e-3 * plan.cells().len() as f64
-        }
-        _ => 2e-3 * checked + 10e-3 * plan.cells().len() as f64,
-    };
-    Estimate { timing, clock_free, drawing: 5e-3 * plan.experiment.figure.len() as f64 }
-}
-
-/// Both references; exact answers take as long as some ten forms.
-fn of_errors(plan: &Plan, errors: &ErrorsWorkload) -> f64 {
-    1e-6 * (errors.seeds * errors.hits * (2 * plan.variants.len() + 10)) as f64
-}
-
-/// Exact answers take as long as some ten forms.
-fn of_stiff(plan: &Plan, stiff: &StiffWorkload) -> f64 {
-    1e-6 * (stiff.knobs.len() * stiff.cases * (plan.variants.len() + 10)) as f64
-}
-
-fn dry_run(plans: &[Plan], profile: Profile) -> Result<(), Failure> {
-    let mut out = std::io::stdout().lock();
-    let mut sum = Estimate { timing: 0.0, clock_free: 0.0, drawing: 0.0 };
-    writeln!(
-        out,
-        "{:<14}{:>9}{:>7}{:>9}{:>12}{:>13}{:>12}",
-        "experiment", "variants", "cells", "blocks", "timing s", "clock-free s", "drawing s"
-    )?;
-    for plan in plans {
-        let one = estimate(plan, profile);
-        writeln!(
-            out,
-            "{:<14}{:>9}{:>7}{:>9}{:>12.1}{:>13.1}{:>12.1}",
-            plan.experiment.id,
-            plan.variants.len(),
-            plan.cells().len(),
-            plan.blocks(profile),
-            one.timing,
-            one.clock_free,
-            one.drawing
-        )?;
-        sum.timing += one.timing;
-        sum.clock_free += one.clock_free;
-        sum.drawing += one.drawing;
-    }
-    writeln!(
-        out,
-        "{:<39}{:>12.1}{:>13.1}{:>12.1}  in all {:.0} s",
-        "",
-        sum.timing,
-        sum.clock_free,
-        sum.drawing,
-        sum.total()
-    )?;
-    Ok(())
-}
-
-/// Runs plan by plan; each is saved when it is done, and saved as unfinished when interrupted.
+/// Runs plan by plan; each is saved when it is done, and saved as unfinished when interrupted. Gives
+/// the variants that were wrong.
 fn measure(
     plans: &[Plan],
     before: Vec<Before>,
     batch: &Batch,
     folder: &Folder,
     mut instruments: Instruments,
-) -> Result<(), Failure> {
+) -> Result<Vec<String>, Failure> {
     let profile = batch.profile.value();
     let cancel = interrupt::flag();
     let bar = progress::bar(plans.iter().map(|plan| plan.blocks(profile)).sum());
@@ -240,13 +173,35 @@ fn measure(
         }
     }
     bar.finish_and_clear();
+    Ok(wrong)
+}
+
+/// What stands at the end of a run: stiff cases, the report, where it all is.
+fn conclude(
+    sweep: Option<&Sweep>,
+    batch: &Batch,
+    folder: &Folder,
+    wrong: Vec<String>,
+) -> Result<(), Failure> {
+    if let Some(sweep) = sweep
+        && !sweep_once(folder, sweep, batch.resume)?
+    {
+        return Err(interrupted(folder));
+    }
+    rounds::draw_timeline(folder.path())?;
+    let results = read(&[folder.path().to_owned()])?;
+    let summary = publish(&results, folder.path())?;
     // Everything is saved: a stdout that is closed does not change what came of it.
-    let _ = writeln!(std::io::stdout(), "{}", folder.path().display());
+    let _ = writeln!(std::io::stdout(), "{summary}{}", folder.path().display());
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Wrong(wrong)) }
 }
 
 /// Says how to go on.
-fn interrupted(folder: &Folder) -> Failure {
+pub fn interrupted(folder: &Folder) -> Failure {
+    // A picture that cannot be drawn does not change that everything else is saved.
+    if let Err(failure) = rounds::draw_timeline(folder.path()) {
+        failure.print();
+    }
     let arguments = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
     let command = unfinished::resume_command(arguments, folder.path());
     eprintln!("what was measured is saved; to go on:\n  {command}");
@@ -254,7 +209,7 @@ fn interrupted(folder: &Folder) -> Failure {
 }
 
 /// A line per experiment, on stderr.
-fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Duration) {
+pub fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Duration) {
     let of = |status: &str| outcome.rows.iter().filter(|row| row.status == status).count();
     let mut notes = String::new();
     for status in ["skipped", "wrong-result", "invalid", "not-measured"] {
@@ -273,7 +228,8 @@ fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Du
 fn settings(batch: &Batch) -> String {
     let profile = format!("--profile {:?}", batch.profile).to_lowercase();
     let filter = batch.filter.as_ref().map(|filter| format!(" --filter {filter}"));
-    profile + filter.as_deref().unwrap_or("")
+    let shard = batch.shard.map(|shard| format!(" --shard {shard}"));
+    profile + filter.as_deref().unwrap_or("") + shard.as_deref().unwrap_or("")
 }
 
 /// Of everything that tells runs apart: experiments, profile, filter, build, machine.
@@ -287,6 +243,7 @@ fn config_hash(plans: &[Plan], sources: &[Source], batch: &Batch, here: &Environ
     }
     hash.bytes(format!("{:?}", batch.profile).as_bytes());
     hash.bytes(batch.filter.as_deref().unwrap_or("").as_bytes());
+    hash.bytes(batch.shard.unwrap_or_default().to_string().as_bytes());
     hash.bytes(format!("{:?}", here.build).as_bytes());
     hash.bytes(here.testbed_id.as_bytes());
     hash.finish()

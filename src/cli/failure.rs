@@ -13,6 +13,8 @@ pub enum Failure {
     Regressed(usize),
     /// 4: these variants gave a wrong answer where they claim a right one.
     Wrong(Vec<String>),
+    /// 4: these kernels gave a wrong answer in a picture, where they claim a right one.
+    WrongPicture(Vec<String>),
     /// 130: interrupted; what was measured is saved.
     Interrupted,
     /// 0: whoever read our output has gone.
@@ -27,7 +29,7 @@ impl Failure {
             Failure::Runtime(_) => 1,
             Failure::Usage(_) => 2,
             Failure::Regressed(_) => 3,
-            Failure::Wrong(_) => 4,
+            Failure::Wrong(_) | Failure::WrongPicture(_) => 4,
             Failure::Interrupted => 130,
         }
     }
@@ -42,6 +44,10 @@ impl Failure {
             Failure::Wrong(ids) => eprintln!(
                 "error: a wrong answer, not timed (reasons are in the rows):\n  {}",
                 ids.join("\n  ")
+            ),
+            Failure::WrongPicture(reasons) => eprintln!(
+                "error: a wrong answer that rounding does not explain:\n  {}",
+                reasons.join("\n  ")
             ),
             Failure::Interrupted => eprintln!("interrupted"),
         }
@@ -77,6 +83,12 @@ impl From<crate::experiment::RunError> for Failure {
 
 impl From<crate::experiment::ConfigError> for Failure {
     fn from(error: crate::experiment::ConfigError) -> Self {
+        Failure::Usage(error.to_string())
+    }
+}
+
+impl From<crate::claims::LedgerError> for Failure {
+    fn from(error: crate::claims::LedgerError) -> Self {
         Failure::Usage(error.to_string())
     }
 }

@@ -5,10 +5,14 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::failure::Failure;
+use super::rounds::{self, ROUNDS, RoundsLog};
+use super::stored::{put_shard, workload_hash};
 use super::unfinished::Keeper;
 use crate::chart::{Published, draw};
 use crate::experiment::{Experiment, Outcome, Plan};
 use crate::measure::{BuildInfo, Environment, now_rfc3339};
+use crate::results::{COMPLETE, DESCRIPTION, JOURNAL, ROWS, TABLE};
+use crate::shard::Shard;
 use crate::table::{
     Header, Journaled, RunFile, RunKey, SCHEMA_VERSION, read_journal, read_json,
     remove_partial_files, write_atomically, write_csv, write_json,
@@ -44,6 +48,10 @@ pub struct Folder {
     environment: Environment,
     /// What rows depend on besides experiment, program and machine: profile and filter, as text.
     settings: String,
+    /// Which share of the work it is for; `None` for all of it.
+    shard: Option<Shard>,
+    /// When the program began, in seconds of the run: above 0 where it goes on.
+    began_s: f64,
 }
 
 /// What there is of an experiment before it runs.
@@ -70,7 +78,40 @@ impl Folder {
             PathBuf::from("results").join(format!("{time}-{:08x}", config_hash as u32))
         };
         let path = out.map_or_else(default, Path::to_path_buf);
-        Folder { path, environment, settings }
+        Folder { path, environment, settings, shard: None, began_s: 0.0 }
+    }
+
+    /// The same for a share of the work.
+    pub fn of_shard(self, shard: Shard) -> Self {
+        Folder { shard: Some(shard), ..self }
+    }
+
+    /// Whether it is for a share of the work.
+    pub fn is_of_shard(&self) -> bool {
+        self.shard.is_some()
+    }
+
+    /// The folder of a run that goes on: time is counted from where its rounds end.
+    pub fn going_on(self) -> Self {
+        let began_s = rounds::last_s(&self.path);
+        Folder { began_s, ..self }
+    }
+
+    /// Makes it ready for plans, and says what there is of each: with `resume` what was kept, without
+    /// it nothing.
+    ///
+    /// # Errors
+    /// As [`Folder::before`] and [`Folder::create`].
+    pub fn open(&self, plans: &[Plan], resume: bool) -> Result<Vec<Before>, Failure> {
+        let before = |plan| if resume { self.before(plan) } else { Ok(Before::Nothing) };
+        let before = plans.iter().map(before).collect::<Result<Vec<_>, _>>()?;
+        self.create()?;
+        if resume {
+            self.tidy(plans);
+        } else {
+            self.begin_anew(plans)?;
+        }
+        Ok(before)
     }
 
     /// Creates it and finds out whether it can be written, before anything runs.
@@ -107,24 +148,19 @@ impl Folder {
     /// # Errors
     /// Usage, if it was measured with another configuration, program or machine, or if its journal
     /// is broken.
-    pub fn before(&self, plan: &Plan) -> Result<Before, Failure> {
+    fn before(&self, plan: &Plan) -> Result<Before, Failure> {
         let id = &plan.experiment.id;
         let file = self.file(id, JOURNAL);
         // A journal is there until everything else is; it outlasts even a finished file of before.
         let journal = read_journal(&file);
         let journal = journal.map_err(|error| Failure::Usage(format!("--resume: {error}")))?;
         if let Some(journal) = journal {
-            self.refuse_others(&file, &journal.header.run_key, plan)?;
+            self.refuse_others(&file, &journal.header.run_key, &plan.experiment.text)?;
             return Ok(Before::Begun(journal));
         }
-        let file = self.file(id, ROWS);
-        let Ok(run) = read_json(&file) else { return Ok(Before::Nothing) };
-        let key = run.environment.get(RUN_KEY).cloned();
-        let key = key.and_then(|key| serde_json::from_value(key).ok()).unwrap_or_default();
-        self.refuse_others(&file, &key, plan)?;
-        if run.environment.get(COMPLETE).and_then(Value::as_bool) != Some(true) {
+        let Some(run) = self.finished(id, &plan.experiment.text)? else {
             return Ok(Before::Nothing);
-        }
+        };
         let mut wrong: Vec<String> = Vec::new();
         for row in run.rows.iter().filter(|row| row.status == "wrong-result") {
             if !wrong.contains(&row.id) {
@@ -134,8 +170,22 @@ impl Folder {
         Ok(Before::Finished(wrong))
     }
 
-    fn refuse_others(&self, file: &Path, key: &RunKey, plan: &Plan) -> Result<(), Failure> {
-        let now = self.key(plan);
+    /// The rows of an experiment that was finished here, by its id and text.
+    ///
+    /// # Errors
+    /// Usage, if it was run with another configuration, program or machine.
+    pub fn finished(&self, id: &str, text: &str) -> Result<Option<RunFile>, Failure> {
+        let file = self.file(id, ROWS);
+        let Ok(run) = read_json(&file) else { return Ok(None) };
+        let key = run.environment.get(RUN_KEY).cloned();
+        let key = key.and_then(|key| serde_json::from_value(key).ok()).unwrap_or_default();
+        self.refuse_others(&file, &key, text)?;
+        let is_complete = run.environment.get(COMPLETE).and_then(Value::as_bool) == Some(true);
+        Ok(is_complete.then_some(run))
+    }
+
+    fn refuse_others(&self, file: &Path, key: &RunKey, text: &str) -> Result<(), Failure> {
+        let now = self.key(text);
         let Some((part, before, now)) = key.difference(&now) else { return Ok(()) };
         Err(Failure::Usage(format!(
             "--resume: {} was made with another {part} ('{before}', now '{now}'); allowed: the \
@@ -145,9 +195,9 @@ impl Folder {
     }
 
     /// What must be the same for an experiment to be gone on with.
-    fn key(&self, plan: &Plan) -> RunKey {
+    fn key(&self, text: &str) -> RunKey {
         let mut hash = Fnv::default();
-        hash.bytes(plan.experiment.text.as_bytes());
+        hash.bytes(text.as_bytes());
         RunKey {
             config: format!("text {:016x} {}", hash.finish(), self.settings),
             binary: binary(&self.environment.build),
@@ -156,7 +206,7 @@ impl Folder {
     }
 
     /// Before a run goes on: removes what a killed one was writing.
-    pub fn tidy(&self, plans: &[Plan]) {
+    fn tidy(&self, plans: &[Plan]) {
         remove_partial_files(&self.path);
         plans.iter().for_each(|plan| remove_partial_files(&self.path.join(&plan.experiment.id)));
     }
@@ -165,14 +215,14 @@ impl Folder {
     ///
     /// # Errors
     /// When it cannot be written.
-    pub fn begin_anew(&self, plans: &[Plan]) -> Result<(), Failure> {
+    fn begin_anew(&self, plans: &[Plan]) -> Result<(), Failure> {
         for plan in plans {
             let id = &plan.experiment.id;
             if [JOURNAL, ROWS].into_iter().any(|name| self.file(id, name).exists()) {
                 self.begin(plan, Before::Nothing)?;
             }
             // The journal stands: what was there before is of another run.
-            for name in [ROWS, "rows.csv"] {
+            for name in [ROWS, TABLE, ROUNDS] {
                 std::fs::remove_file(self.file(id, name)).ok();
             }
         }
@@ -186,13 +236,17 @@ impl Folder {
     pub fn begin(&self, plan: &Plan, before: Before) -> Result<Keeper, Failure> {
         let (id, seed) = (&plan.experiment.id, plan.experiment.seed);
         std::fs::create_dir_all(self.path.join(id))?;
+        write_atomically(&self.file(id, DESCRIPTION), plan.experiment.text.as_bytes())?;
+        let goes_on = matches!(before, Before::Begun(_));
         let contents = match before {
             Before::Begun(journaled) => journaled,
-            Before::Nothing | Before::Finished(_) => {
-                Journaled { header: Header::new(self.key(plan), id, seed), pieces: Vec::new() }
-            }
+            Before::Nothing | Before::Finished(_) => Journaled {
+                header: Header::new(self.key(&plan.experiment.text), id, seed),
+                pieces: Vec::new(),
+            },
         };
-        Ok(Keeper::begin(&self.file(id, JOURNAL), contents)?)
+        let rounds = RoundsLog::begin(&self.path.join(id), self.began_s, goes_on)?;
+        Ok(Keeper::begin(&self.file(id, JOURNAL), contents, rounds)?)
     }
 
     /// The table of an experiment.
@@ -208,7 +262,8 @@ impl Folder {
     pub fn save(&self, plan: &Plan, outcome: &Outcome) -> Result<Vec<PathBuf>, Failure> {
         let id = &plan.experiment.id;
         write_csv(&self.table(plan), &outcome.rows)?;
-        let figures = if outcome.interrupted { Vec::new() } else { self.draw(plan, outcome)? };
+        let is_part = outcome.interrupted || self.shard.is_some();
+        let figures = if is_part { Vec::new() } else { self.draw(plan, outcome)? };
         // Last: it says that the experiment is complete.
         write_json(&self.file(id, ROWS), &self.run_file(plan, outcome)?)?;
         if !outcome.interrupted {
@@ -231,21 +286,34 @@ impl Folder {
     }
 
     fn run_file(&self, plan: &Plan, outcome: &Outcome) -> Result<RunFile, Failure> {
-        let mut environment = serde_json::to_value(&self.environment)
-            .map_err(|error| Failure::Runtime(error.into()))?;
-        environment[RUN_KEY] = json!(self.key(plan));
-        environment[COMPLETE] = json!(!outcome.interrupted);
-        let mut hash = Fnv::default();
-        for row in &outcome.rows {
-            hash.bytes(row.workload_hash.as_bytes());
-        }
+        let Experiment { id, text, seed, .. } = &plan.experiment;
+        let (complete, places) = (!outcome.interrupted, &outcome.places);
         Ok(RunFile {
             schema_version: SCHEMA_VERSION.to_owned(),
-            environment,
-            seed: plan.experiment.seed,
-            workload_hash: format!("{:016x}", hash.finish()),
+            environment: self.circumstances(text, complete, places)?,
+            seed: *seed,
+            workload_hash: workload_hash(id, &outcome.rows),
             rows: outcome.rows.clone(),
         })
+    }
+
+    /// What is said around the rows of an experiment of that text: the environment, by what the run
+    /// can be gone on with, whether all of it is there, and of a share where its rows stand.
+    ///
+    /// # Errors
+    /// None that a value of ours could have.
+    pub fn circumstances(
+        &self,
+        text: &str,
+        complete: bool,
+        places: &[u64],
+    ) -> Result<Value, Failure> {
+        let mut environment = serde_json::to_value(&self.environment)
+            .map_err(|error| Failure::Runtime(error.into()))?;
+        environment[RUN_KEY] = json!(self.key(text));
+        environment[COMPLETE] = json!(complete);
+        put_shard(&mut environment, self.shard, places);
+        Ok(environment)
     }
 }
 
@@ -265,8 +333,5 @@ fn binary(build: &BuildInfo) -> String {
     )
 }
 
-const TABLE: &str = "rows.csv";
-const ROWS: &str = "rows.json";
-const JOURNAL: &str = "rows.ndjson";
+/// Field of a file's environment: what must be the same for the run to be gone on with.
 const RUN_KEY: &str = "run_key";
-const COMPLETE: &str = "complete";

@@ -6,11 +6,9 @@ use super::arguments::{List, Listed};
 use super::failure::Failure;
 use super::folder::built_in;
 use super::show::{Sheet, print};
+use crate::claims::{Claim, Ledger};
 use crate::level::levels;
 use crate::registry::{COLUMNS, kernels, variants};
-
-/// The claims of the documents, one per line: id, source and statement, with ` | ` between them.
-const CLAIMS: &str = include_str!("../../configs/published/claims.txt");
 
 /// Prints what was asked for.
 pub fn run(arguments: &List) -> Result<(), Failure> {
@@ -18,7 +16,7 @@ pub fn run(arguments: &List) -> Result<(), Failure> {
         Listed::Kernels => list_kernels(),
         Listed::Variants => list_variants(),
         Listed::Experiments => list_experiments()?,
-        Listed::Claims => list_claims(),
+        Listed::Claims => list_claims()?,
         Listed::Levels => list_levels(),
         Listed::Families => list_families(),
     };
@@ -68,12 +66,11 @@ fn list_experiments() -> Result<Sheet, Failure> {
     Ok(Sheet { columns: vec!["id", "title", "mirrors", "config"], rows })
 }
 
-fn list_claims() -> Sheet {
-    let row = |line: &str| -> Vec<Value> {
-        line.splitn(3, " | ").map(|part| json!(part.trim())).collect()
-    };
-    let lines = CLAIMS.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
-    Sheet { columns: vec!["id", "source", "statement"], rows: lines.map(row).collect() }
+fn list_claims() -> Result<Sheet, Failure> {
+    let ledger = Ledger::embedded()?;
+    let row = |claim: &Claim| vec![json!(claim.id), json!(claim.source), json!(claim.statement)];
+    let rows = ledger.claims().iter().map(row).collect();
+    Ok(Sheet { columns: vec!["id", "source", "statement"], rows })
 }
 
 fn list_families() -> Sheet {

@@ -10,7 +10,9 @@ mod check_rows;
 mod check_summary;
 mod compare;
 mod comparison;
+mod describe;
 mod doctor;
+mod estimate;
 mod failure;
 mod folder;
 mod instruments;
@@ -18,13 +20,26 @@ mod interrupt;
 mod list;
 mod lock;
 mod progress;
+mod publish;
+mod recommend;
+mod recommend_rows;
+mod render;
+mod render_files;
+mod render_frames;
+mod render_kernels;
+mod render_rows;
+mod report;
+mod rounds;
 mod scene;
 mod scene_text;
+mod shards;
 mod show;
 mod slices;
 mod slips;
 mod stability;
 mod stability_tables;
+mod stored;
+mod sweep;
 mod thesis;
 mod unfinished;
 
@@ -56,7 +71,10 @@ pub fn main() -> ExitCode {
 
 fn run(arguments: Arguments) -> Result<(), Failure> {
     let measures = |verb: &Verb| {
-        matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Scene(_))
+        matches!(
+            verb,
+            Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Render(_) | Verb::Scene(_)
+        )
     };
     if arguments.verb.as_ref().is_none_or(measures) {
         addresses::settle();
@@ -68,8 +86,11 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Doctor(doctor)) => doctor::run(&doctor),
         Some(Verb::List(list)) => list::run(&list),
         Some(Verb::Compare(compare)) => compare::run(&compare),
+        Some(Verb::Report(report)) => report::run(&report),
         Some(Verb::Stability(stability)) => stability::run(&stability),
         Some(Verb::Check(check)) => check::run(&check),
         Some(Verb::Scene(scene)) => scene::run(&scene),
+        Some(Verb::Recommend(recommend)) => recommend::run(&recommend),
+        Some(Verb::Render(render)) => render::run(&render),
     }
 }

@@ -26,8 +26,20 @@ pub fn slip(word: &str) -> Option<String> {
     if word.parse::<f64>().is_ok() || word == "all" {
         return None;
     }
-    let here =
-        ["run", "reproduce", "doctor", "list", "compare", "stability", "check", "scene", "help"];
+    let here = [
+        "run",
+        "reproduce",
+        "doctor",
+        "list",
+        "compare",
+        "stability",
+        "check",
+        "recommend",
+        "render",
+        "report",
+        "scene",
+        "help",
+    ];
     let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
     if VERBS.contains(&word) && !here.contains(&word) {
         let known = known.join(", ");

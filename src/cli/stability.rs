@@ -3,25 +3,18 @@
 use std::io::Write;
 use std::num::NonZero;
 use std::path::PathBuf;
-use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 use clap::Args;
-use serde_json::json;
 
 use super::arguments::Format;
 use super::failure::Failure;
 use super::folder::Folder;
 use super::show::print;
-use super::{interrupt, progress, stability_tables};
-use crate::chart::{Published, draw, stability_figures};
-use crate::level::levels;
-use crate::measure::{Environment, WallClock};
-use crate::spread::Watch;
-use crate::stability::{
-    Depth, EXPERIMENT, Family, Outcome, Precision, Sweep, families, forms, known_words,
-};
-use crate::table::{RunFile, SCHEMA_VERSION, write_atomically, write_csv, write_json};
+use super::sweep::sweep_into;
+use super::{shards, stability_tables};
+use crate::measure::Environment;
+use crate::shard::Shard;
+use crate::stability::{Depth, Family, Precision, Sweep, families, forms, known_words};
 use crate::workload::hash::Fnv;
 
 /// What is said below the options.
@@ -29,6 +22,7 @@ pub const HELP: &str = "Examples:
   ray_test stability
   ray_test stability --families needle,far --precision f32 --out results/needles
   ray_test stability --kernels moller-trumbore,woop-watertight --format csv
+  ray_test stability --shard 2/3 --out results/part-2
 
 A kernel's id asks for its usual form, a variant's id for that form (in the early form with output
 tuv; `ray_test list variants`). `ray_test list families` shows the families. No clock is read: the
@@ -55,6 +49,9 @@ pub struct Stability {
     /// Where the random generators start
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
+    /// Only the I-th of N parts, a share of the forms; `ray_test report` puts parts together
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
     /// How the summary is printed
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
@@ -80,30 +77,21 @@ pub enum DepthWord {
 /// Checks everything, sweeps, writes rows and figures, prints the summary.
 pub fn run(arguments: &Stability) -> Result<(), Failure> {
     let sweep = sweep(arguments)?;
-    let environment = environment();
+    let environment = shards::environment();
     let hash = hash(arguments, &environment);
-    let folder = Folder::new(arguments.out.as_deref(), hash, environment.clone(), String::new());
+    let folder = Folder::new(arguments.out.as_deref(), hash, environment, String::new());
+    let folder = arguments.shard.into_iter().fold(folder, Folder::of_shard);
     folder.create()?;
     let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
     eprintln!(
-        "{} families, {} forms of kernels, about {:.0} s on {processors} processors; results in {}",
+        "{} families, {} forms of kernels{}, about {:.0} s on {processors} processors; results in {}",
         sweep.families.len(),
         sweep.forms.len(),
+        arguments.shard.map_or(String::new(), |shard| format!(" (part {shard} of them)")),
         sweep.seconds(processors).ceil(),
         folder.path().display()
     );
-    let cancel = interrupt::flag();
-    let bar = progress::bar(sweep.pieces());
-    let start = Instant::now();
-    let done = |_: usize| bar.inc(1);
-    let outcome = sweep.run(&Watch { cancel, done: &done, threads: None });
-    bar.finish_and_clear();
-    let figures = save(&folder, &environment, &outcome, sweep.seed)?;
-    eprintln!(
-        "{} rows, {figures} figures, {:.1} s",
-        outcome.rows.len(),
-        start.elapsed().as_secs_f64()
-    );
+    let outcome = sweep_into(&folder, &sweep)?;
     match arguments.format {
         Format::Text => write!(std::io::stdout(), "{}", stability_tables::text(&outcome.rows))?,
         format => print(&stability_tables::sheet(&outcome.rows), format)?,
@@ -111,17 +99,11 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
     if arguments.format == Format::Text {
         writeln!(std::io::stdout(), "{}", folder.path().display())?;
     }
-    if cancel.load(Ordering::Relaxed) && !outcome.complete {
+    if !outcome.complete {
         eprintln!("what was done is saved in {}", folder.path().display());
         return Err(Failure::Interrupted);
     }
     Ok(())
-}
-
-fn environment() -> Environment {
-    let has = |(level, available): (&str, bool)| available.then(|| level.to_owned());
-    let levels = levels().into_iter().filter_map(has).collect();
-    Environment { levels, ..Environment::capture(&mut WallClock::new()) }
 }
 
 fn sweep(arguments: &Stability) -> Result<Sweep, Failure> {
@@ -145,7 +127,8 @@ fn sweep(arguments: &Stability) -> Result<Sweep, Failure> {
              kernels"
         )));
     }
-    Ok(Sweep { families, forms, depth, seed: arguments.seed })
+    let shard = arguments.shard.unwrap_or_default();
+    Ok(Sweep { families, forms, depth, seed: arguments.seed, shard })
 }
 
 /// The families asked for, in their usual order; all without a word.
@@ -169,46 +152,15 @@ fn refused(option: &str, word: &str, known: &[String], allowed: &str) -> Failure
 fn hash(arguments: &Stability, environment: &Environment) -> u64 {
     let mut hash = Fnv::default();
     let settings = format!(
-        "{:?} {:?} {:?} {:?} {}",
-        arguments.families, arguments.kernels, arguments.precision, arguments.depth, arguments.seed
+        "{:?} {:?} {:?} {:?} {} {}",
+        arguments.families,
+        arguments.kernels,
+        arguments.precision,
+        arguments.depth,
+        arguments.seed,
+        arguments.shard.unwrap_or_default()
     );
     hash.bytes(settings.as_bytes());
     hash.bytes(format!("{:?}", environment.build).as_bytes());
     hash.finish()
-}
-
-/// Writes rows and figures; returns how many figures.
-fn save(
-    folder: &Folder,
-    environment: &Environment,
-    outcome: &Outcome,
-    seed: u64,
-) -> Result<usize, Failure> {
-    let path = folder.path().join(EXPERIMENT);
-    std::fs::create_dir_all(&path)?;
-    write_csv(&path.join("rows.csv"), &outcome.rows)?;
-    let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
-    let figures = if outcome.complete { stability_figures(&outcome.rows) } else { Vec::new() };
-    for figure in &figures {
-        let svg = draw(figure, &outcome.rows, &published)
-            .map_err(|error| Failure::Runtime(error.into()))?;
-        write_atomically(&path.join(format!("{}.svg", figure.file)), svg.as_bytes())?;
-    }
-    let mut environment =
-        serde_json::to_value(environment).map_err(|error| Failure::Runtime(error.into()))?;
-    environment["complete"] = json!(outcome.complete);
-    let mut hash = Fnv::default();
-    for row in &outcome.rows {
-        hash.bytes(format!("{} {:?} {:?}", row.workload, row.knob, row.cases).as_bytes());
-    }
-    let run = RunFile {
-        schema_version: SCHEMA_VERSION.to_owned(),
-        environment,
-        seed,
-        workload_hash: format!("{:016x}", hash.finish()),
-        rows: outcome.rows.clone(),
-    };
-    // Last: it says that everything is there.
-    write_json(&path.join("rows.json"), &run)?;
-    Ok(figures.len())
 }

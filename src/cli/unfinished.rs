@@ -8,14 +8,17 @@ use serde_json::{Value, json};
 
 use super::arguments::Format;
 use super::failure::Failure;
+use super::rounds::RoundsLog;
 use super::show::{Sheet, print, rounded};
 use crate::experiment::Keep;
+use crate::measure::{Protocol, RoundTrace};
 use crate::table::{Journal, Journaled, Row, TableError};
 
 /// A journal, with what it held when the run was gone on with.
 pub struct Keeper {
     journal: Journal,
     before: BTreeMap<String, Vec<Row>>,
+    rounds: RoundsLog,
 }
 
 impl Keeper {
@@ -23,9 +26,9 @@ impl Keeper {
     ///
     /// # Errors
     /// When it cannot be written.
-    pub fn begin(path: &Path, before: Journaled) -> Result<Self, TableError> {
+    pub fn begin(path: &Path, before: Journaled, rounds: RoundsLog) -> Result<Self, TableError> {
         let journal = Journal::begin(path, &before)?;
-        Ok(Keeper { journal, before: before.pieces.into_iter().collect() })
+        Ok(Keeper { journal, before: before.pieces.into_iter().collect(), rounds })
     }
 }
 
@@ -35,7 +38,12 @@ impl Keep for Keeper {
     }
 
     fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {
+        self.rounds.failure()?;
         self.journal.append(piece, rows)
+    }
+
+    fn take_down(&mut self, protocol: &Protocol, rounds: &[RoundTrace]) {
+        self.rounds.take_down(protocol, rounds);
     }
 }
 

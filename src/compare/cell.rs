@@ -3,54 +3,9 @@
 use std::collections::{HashMap, HashSet};
 
 use super::side::Side;
-use crate::table::Row;
+use crate::table::{Row, SETTING_COLUMNS, SUBJECT_COLUMNS};
 
-/// Columns that say what was measured, besides the id.
-const NAMES: [&str; 22] = [
-    "experiment",
-    "kernel",
-    "precision",
-    "drive",
-    "exit",
-    "division",
-    "rounding",
-    "output",
-    "layout",
-    "stored",
-    "cull",
-    "tests_form",
-    "reciprocal",
-    "edges",
-    "projection",
-    "leading",
-    "code",
-    "priced",
-    "err_against",
-    "record",
-    "family",
-    "ray_class",
-];
-
-/// Columns that say on what it was measured. One subject under other settings than before is not
-/// the same measurement.
-pub(super) const SETTINGS: [&str; 14] = [
-    "level",
-    "workload",
-    "order",
-    "density",
-    "spread",
-    "triangles",
-    "rays",
-    "generator",
-    "winding",
-    "query",
-    "repeats",
-    "seed",
-    "knob",
-    "rays_per_triangle",
-];
-
-/// The value of each of [`SETTINGS`]; empty where there is none.
+/// The value of each of [`SETTING_COLUMNS`]; empty where there is none.
 pub(super) type Settings = Vec<String>;
 
 /// A row taken apart into what it is about.
@@ -65,12 +20,10 @@ pub(super) struct Entry<'a> {
 
 impl<'a> Entry<'a> {
     fn of(row: &'a Row) -> Self {
-        let text =
-            |column: &&str| row.cell(column).map(|cell| cell.to_string()).unwrap_or_default();
-        let mut name: Vec<String> = NAMES.iter().map(text).collect();
+        let mut name = row.texts(&SUBJECT_COLUMNS);
         name.push(without_level(&row.id));
         // No value holds this separator, so that no two names run together.
-        Entry { name: name.join("\u{1f}"), settings: SETTINGS.iter().map(text).collect(), row }
+        Entry { name: name.join("\u{1f}"), settings: row.texts(&SETTING_COLUMNS), row }
     }
 }
 

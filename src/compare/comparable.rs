@@ -6,10 +6,10 @@ use std::collections::HashSet;
 
 use serde_json::Value;
 
-use super::cell::{Matched, SETTINGS};
+use super::cell::Matched;
 use super::finding::{Place, Refusal};
 use super::side::{Side, Source};
-use crate::table::Row;
+use crate::table::{Row, SETTING_COLUMNS};
 
 /// Everything that forbids the comparison, each difference once.
 pub(super) fn refusals(base: &Side, new: &Side, matched: &Matched<'_>) -> Vec<Refusal> {
@@ -19,7 +19,7 @@ pub(super) fn refusals(base: &Side, new: &Side, matched: &Matched<'_>) -> Vec<Re
     }
     for (entry, settings) in &matched.apart {
         let both = entry.settings.iter().zip(settings);
-        for (key, (base, new)) in SETTINGS.into_iter().zip(both) {
+        for (key, (base, new)) in SETTING_COLUMNS.into_iter().zip(both) {
             refusals.add(key, base, new, || place(entry.row));
         }
     }

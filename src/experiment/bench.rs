@@ -110,6 +110,8 @@ impl Bench<'_> {
             progress: &mut tell,
             cancel: self.cancel,
         };
-        measure_group(contestants, protocol, &mut surroundings)
+        let report = measure_group(contestants, protocol, &mut surroundings)?;
+        self.keep.take_down(protocol, &report.trace);
+        Ok(report)
     }
 }

@@ -166,7 +166,7 @@ mod tests {
         streams().into_iter().map(of).collect()
     }
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     #[test]
     fn rows_say_what_their_operations_need_and_what_limits_them() {
         // 12 +, 17 x and a division of half a cycle.
@@ -179,7 +179,7 @@ mod tests {
         assert_eq!((rows[1].bound_fraction, rows[0].reason.as_str()), (None, ""));
     }
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     #[test]
     fn packets_are_bounded_per_ray() {
         let id = "wald/f32/packet4/sse2/full/last/plain/tuv";
@@ -190,7 +190,7 @@ mod tests {
         assert_eq!(rows[0].bound_resource, "vector units");
     }
 
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     #[test]
     fn a_row_below_its_bound_is_said_so() {
         let variant = find(SINGLE).unwrap();

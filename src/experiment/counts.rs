@@ -1,6 +1,8 @@
 //! Operations per kernel and exit path, counted while the kernels run; no clock.
 
+use super::clock_free::Placed;
 use crate::counting::{Counter, counters, paths};
+use crate::shard::Shard;
 use crate::table::Row;
 use crate::workload::{Generator, Ray, Triangle, WorkloadError, draw_pairs, hash};
 
@@ -8,23 +10,24 @@ use crate::workload::{Generator, Ray, Triangle, WorkloadError, draw_pairs, hash}
 /// rounding (|det| <= eps) takes at least one in a hundred of them.
 const PAIRS: usize = 4000;
 
-/// A row per form and exit path, with the operations of its longest path.
+/// A row per form and exit path, with the operations of its longest path; a task is a form.
 ///
 /// # Errors
 /// As drawing.
-pub fn rows(experiment: &str, seed: u64) -> Result<Vec<Row>, WorkloadError> {
+pub fn rows(experiment: &str, seed: u64, shard: Shard) -> Result<Vec<Placed>, WorkloadError> {
     let (mut rays, mut triangles) = (Vec::new(), Vec::new());
     draw_pairs(Generator::Pcg, seed, PAIRS, |ray, triangle| {
         rays.push(ray);
         triangles.push(triangle);
     })?;
-    let of = |counter: &Counter| of_counter(counter, (&rays, &triangles));
-    let mut rows: Vec<Row> = counters().iter().flat_map(of).collect();
-    for row in &mut rows {
-        row.experiment = experiment.into();
-        row.seed = Some(seed);
-    }
-    Ok(rows)
+    let counters = counters();
+    let of_task = |task: usize| {
+        let rows = of_counter(&counters[task], (&rays, &triangles)).into_iter();
+        rows.map(move |row| {
+            (task as u64, Row { experiment: experiment.into(), seed: Some(seed), ..row })
+        })
+    };
+    Ok(shard.range(counters.len()).flat_map(of_task).collect())
 }
 
 fn of_counter(counter: &Counter, (rays, triangles): (&[Ray], &[Triangle])) -> Vec<Row> {

@@ -7,12 +7,14 @@
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::clock_free::Placed;
 use super::scene::reported;
 use super::workload::ErrorsWorkload;
 use crate::accuracy::{Accuracy, Measures, Truth};
 use crate::oracle::{Class, Exact, Query, classify};
 use crate::registry::{Asked, Variant, asked, asked_with_peers};
 use crate::rows::{of_variant, put_accuracy};
+use crate::shard::Shard;
 use crate::spread::on_all_cores;
 use crate::table::Row;
 use crate::workload::{Pcg, Ray, Triangle, hash, random_pair};
@@ -30,6 +32,11 @@ struct Hits {
     segments: [Vec<Truth>; 2],
 }
 
+/// How many tasks there are: one for each seed and variant.
+pub fn tasks(variants: &[&'static Variant], workload: &ErrorsWorkload) -> usize {
+    workload.seeds * variants.len()
+}
+
 /// Two rows per seed and variant, one against each of the two references; variants that are not a
 /// form of [`asked_with_peers`] have one without figures. Ends early, with fewer seeds, once cancelled.
 pub fn rows(
@@ -37,34 +44,56 @@ pub fn rows(
     variants: &[&'static Variant],
     workload: &ErrorsWorkload,
     seed: u64,
+    shard: Shard,
     cancel: &AtomicBool,
-) -> Vec<Row> {
-    let forms: Vec<Option<&Asked>> = variants.iter().map(|variant| form_of(variant)).collect();
+) -> Vec<Placed> {
+    let mine = shard.range(tasks(variants, workload));
     let mut rows = Vec::new();
-    for seed in (0..workload.seeds as u64).map(|number| seed.wrapping_add(number)) {
-        if cancel.load(Ordering::Relaxed) {
-            break;
+    for number in 0..workload.seeds {
+        let first = number * variants.len();
+        let of_seed = first.max(mine.start)..(first + variants.len()).min(mine.end);
+        // Nobody draws the hits of a seed of which another has all variants.
+        if of_seed.is_empty() || cancel.load(Ordering::Relaxed) {
+            continue;
         }
-        let hits = Hits::draw(workload.hits, seed);
-        // Index 2 i + r: variant i against reference r.
-        let found = on_all_cores(2 * forms.len(), |task| {
-            forms[task / 2].map(|form| hits.measure(form, variants[task / 2], task % 2))
-        });
-        for (variant, found) in variants.iter().zip(found.chunks(2)) {
-            let blank = Row {
-                experiment: experiment.into(),
-                workload: "errors-random".into(),
-                query: "ray".into(),
-                generator: "pcg".into(),
-                seed: Some(seed),
-                tests: Some(hits.count as u64),
-                workload_hash: format!("{:016x}", hits.hash),
-                ..of_variant(variant)
-            };
-            rows.extend(of_form(variant, blank, found));
-        }
+        let variants = &variants[of_seed.start - first..of_seed.end - first];
+        let seed = seed.wrapping_add(number as u64);
+        let found = of_seed_rows(experiment, variants, workload.hits, seed);
+        let placed = of_seed.zip(found);
+        rows.extend(
+            placed.flat_map(|(task, rows)| rows.into_iter().map(move |row| (task as u64, row))),
+        );
     }
     rows
+}
+
+/// The rows of one seed, by variant.
+fn of_seed_rows(
+    experiment: &str,
+    variants: &[&'static Variant],
+    hits: usize,
+    seed: u64,
+) -> Vec<Vec<Row>> {
+    let forms: Vec<Option<&Asked>> = variants.iter().map(|variant| form_of(variant)).collect();
+    let hits = Hits::draw(hits, seed);
+    // Index 2 i + r: variant i against reference r.
+    let found = on_all_cores(2 * forms.len(), |task| {
+        forms[task / 2].map(|form| hits.measure(form, variants[task / 2], task % 2))
+    });
+    let row = |(variant, found): (&&'static Variant, &[Option<Accuracy>])| {
+        let blank = Row {
+            experiment: experiment.into(),
+            workload: "errors-random".into(),
+            query: "ray".into(),
+            generator: "pcg".into(),
+            seed: Some(seed),
+            tests: Some(hits.count as u64),
+            workload_hash: format!("{:016x}", hits.hash),
+            ..of_variant(variant)
+        };
+        of_form(variant, blank, found)
+    };
+    variants.iter().zip(found.chunks(2)).map(row).collect()
 }
 
 fn of_form(variant: &Variant, blank: Row, found: &[Option<Accuracy>]) -> Vec<Row> {
@@ -160,7 +189,27 @@ mod tests {
     fn measured(pattern: &str) -> Vec<Row> {
         let variants = select(&[pattern.to_owned()]).expect("it matches");
         let workload = ErrorsWorkload { hits: 400, seeds: 2 };
-        rows("errors", &variants, &workload, 7, &AtomicBool::new(false))
+        let never = AtomicBool::new(false);
+        let placed = rows("errors", &variants, &workload, 7, Shard::WHOLE, &never);
+        placed.into_iter().map(|(_, row)| row).collect()
+    }
+
+    #[test]
+    fn shares_together_are_the_whole_and_know_their_places() {
+        let variants =
+            select(&["^(wald|keidy)/f32/(single|packet4)/sse2/early/last/plain/tuv$".to_owned()]);
+        let variants = variants.expect("it matches");
+        let workload = ErrorsWorkload { hits: 50, seeds: 2 };
+        let never = AtomicBool::new(false);
+        let of = |shard: &str| {
+            let shard = shard.parse().expect("a share");
+            rows("errors", &variants, &workload, 7, shard, &never)
+        };
+        let whole = of("1/1");
+        let parts = ["1/3", "2/3", "3/3"].map(of);
+        assert!(parts.iter().all(|part| !part.is_empty()));
+        assert_eq!(parts.concat(), whole);
+        assert!(whole.is_sorted_by_key(|(task, _)| *task));
     }
 
     #[test]

@@ -6,7 +6,7 @@
 
 use super::bench::Bench;
 use super::cells::CONTROLS;
-use crate::measure::{Order, Protocol};
+use crate::measure::{Order, Protocol, RoundTrace};
 use crate::table::{Row, TableError};
 
 /// Where rows go as soon as they are final, and where those of an interrupted run come from.
@@ -18,6 +18,9 @@ pub trait Keep {
     /// # Errors
     /// When they cannot be written.
     fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError>;
+    /// Takes down the rounds of a group that was measured. What cannot be written is told by the
+    /// next [`Keep::keep`]: it is no reason to stop in the middle of a piece.
+    fn take_down(&mut self, _protocol: &Protocol, _rounds: &[RoundTrace]) {}
 }
 
 /// Keeps nothing.

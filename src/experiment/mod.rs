@@ -9,6 +9,7 @@ mod bench;
 mod bounds;
 mod calls;
 pub mod cells;
+mod clock_free;
 mod codes;
 mod config;
 mod counts;
@@ -34,6 +35,7 @@ mod workload;
 
 pub use bench::Bench;
 pub use cells::{BEYOND, beyond_prediction, control};
+pub use clock_free::{is_clock_free, run_shard};
 pub use config::{ConfigError, Experiment};
 pub use crossing::{Cost, Costs, crossing};
 pub use distraction::Distraction;

@@ -119,7 +119,38 @@ pub fn put_interrupted(row: &mut Row) {
 /// The thesis's column: how much slower the mean of a kernel's row over the densities is than the
 /// smallest such mean, within each order, in percent. A row with a density missing has none.
 pub fn put_percent_slower(rows: &mut [Row]) {
-    let densities = |rows: &[Row], order: &str| {
+    let means = means(rows, |row| row.ns_per_test);
+    for row in rows.iter_mut() {
+        let of_order = means.iter().filter(|((order, ..), _)| *order == row.order);
+        let smallest = of_order.map(|(_, mean)| *mean).fold(f64::INFINITY, f64::min);
+        row.percent_slower = own(&means, row).map(|mean| (mean / smallest - 1.0) * 100.0);
+    }
+}
+
+/// The mean of a kernel's seconds over the densities, within each order. A row with a density
+/// missing has none.
+pub(super) fn put_seconds_mean(rows: &mut [Row]) {
+    let means = means(rows, |row| row.seconds);
+    for row in rows.iter_mut() {
+        row.seconds_mean = own(&means, row);
+    }
+}
+
+/// Order, id and kernel: what has a row over the densities.
+type Line = (String, String, String);
+
+fn line(row: &Row) -> Line {
+    (row.order.clone(), row.id.clone(), row.kernel.clone())
+}
+
+fn own(means: &[(Line, f64)], row: &Row) -> Option<f64> {
+    let own = line(row);
+    means.iter().find(|(line, _)| *line == own).map(|(_, mean)| *mean)
+}
+
+/// The mean of a figure over the densities of its order, for each line that has it at all of them.
+fn means(rows: &[Row], figure: fn(&Row) -> Option<f64>) -> Vec<(Line, f64)> {
+    let densities = |order: &str| {
         let mut bits: Vec<u64> = Vec::new();
         for row in rows.iter().filter(|row| row.order == order) {
             let density = row.density.map_or(0, f64::to_bits);
@@ -129,23 +160,53 @@ pub fn put_percent_slower(rows: &mut [Row]) {
         }
         bits.len()
     };
-    let key = |row: &Row| (row.order.clone(), row.id.clone(), row.kernel.clone());
-    let mut means: Vec<((String, String, String), f64)> = Vec::new();
+    let mut means: Vec<(Line, f64)> = Vec::new();
     for row in rows.iter().filter(|row| row.price.is_none()) {
-        if means.iter().any(|(of, _)| *of == key(row)) {
+        let of = line(row);
+        if means.iter().any(|(other, _)| *other == of) {
             continue;
         }
-        let same = |other: &&Row| other.price.is_none() && key(other) == key(row);
-        let own: Vec<f64> =
-            rows.iter().filter(same).filter_map(|other| other.ns_per_test).collect();
-        if own.len() == densities(rows, &row.order) {
-            means.push((key(row), own.iter().sum::<f64>() / own.len() as f64));
+        let same = |other: &&Row| other.price.is_none() && line(other) == of;
+        let own: Vec<f64> = rows.iter().filter(same).filter_map(figure).collect();
+        if own.len() == densities(&row.order) {
+            means.push((of, own.iter().sum::<f64>() / own.len() as f64));
         }
     }
-    for row in rows.iter_mut() {
-        let of_order = means.iter().filter(|((order, ..), _)| *order == row.order);
-        let smallest = of_order.clone().map(|(_, mean)| *mean).fold(f64::INFINITY, f64::min);
-        let own = of_order.clone().find(|(of, _)| *of == key(row));
-        row.percent_slower = own.map(|(_, mean)| (mean / smallest - 1.0) * 100.0);
+    means
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(order: &str, kernel: &str, density: f64, seconds: Option<f64>) -> Row {
+        Row {
+            order: order.into(),
+            kernel: kernel.into(),
+            density: Some(density),
+            seconds,
+            ns_per_test: seconds.map(|seconds| seconds * 2.0),
+            ..Row::default()
+        }
+    }
+
+    #[test]
+    fn means_are_over_all_densities_of_an_order_or_none() {
+        let mut rows = vec![
+            row("literal", "a", 0.0, Some(1.0)),
+            row("literal", "a", 1.0, Some(3.0)),
+            row("literal", "b", 0.0, Some(3.0)),
+            row("literal", "b", 1.0, Some(3.0)),
+            row("literal", "c", 0.0, Some(1.0)),
+            row("literal", "c", 1.0, None),
+            row("fixed", "a", 0.5, Some(7.0)),
+        ];
+        put_seconds_mean(&mut rows);
+        put_percent_slower(&mut rows);
+        let means: Vec<_> = rows.iter().map(|row| row.seconds_mean).collect();
+        let (a, b) = (Some(2.0), Some(3.0));
+        assert_eq!(means, [a, a, b, b, None, None, Some(7.0)]);
+        let slower: Vec<_> = rows.iter().map(|row| row.percent_slower).collect();
+        assert_eq!(slower, [Some(0.0), Some(0.0), Some(50.0), Some(50.0), None, None, Some(0.0)]);
     }
 }

@@ -6,13 +6,12 @@ use super::bench::Bench;
 use super::cells::{self, Measured};
 use super::keep::KeepError;
 use super::plan::Plan;
-use super::rows::put_percent_slower;
+use super::rows::{put_percent_slower, put_seconds_mean};
 use super::scene::Scene;
 use super::workload::Workload;
-use super::{
-    arithmetic, bounds, codes, counts, errors, memory, points, precompute, prices, stiff, useful,
-};
+use super::{arithmetic, bounds, clock_free, codes, memory, points, precompute, prices, useful};
 use crate::measure::{Order, ProtocolError};
+use crate::shard::Shard;
 use crate::table::Row;
 use crate::workload::WorkloadError;
 
@@ -21,6 +20,8 @@ use crate::workload::WorkloadError;
 pub struct Outcome {
     /// Every row.
     pub rows: Vec<Row>,
+    /// Of a shard: where each row stands in the whole, as the number of its task; empty otherwise.
+    pub places: Vec<u64>,
     /// Ids of variants that gave a wrong answer where they claim a right one.
     pub wrong: Vec<String>,
     /// Whether it was interrupted.
@@ -67,33 +68,21 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
     let mut outcome = Outcome::default();
     let streams = if plan.experiment.bounds { bounds::run(id, seed, bench)? } else { Vec::new() };
     match &plan.experiment.workload {
-        // Counted, not measured: nothing that needs to be kept.
-        Workload::Counts => outcome.rows = counts::rows(id, seed)?,
+        // Without a clock, below: nothing that needs to be kept.
+        Workload::Counts | Workload::Errors(_) => {}
         Workload::Codes(codes) => {
             outcome.take(codes::run(id, &plan.variants, codes, seed, bench)?);
         }
         Workload::Memory(sets) => outcome.take(memory::run(plan, sets, bench)?),
         Workload::Precompute(forms) => outcome.take(precompute::run(plan, forms, bench)?),
         Workload::Arithmetic => outcome.rows = arithmetic::run(id, seed, bench)?,
-        Workload::Errors(hits) => {
-            outcome.rows = errors::rows(id, &plan.variants, hits, seed, bench.cancel);
-        }
         _ => run_cells(plan, bench, &mut outcome)?,
     }
     bounds::put(&mut outcome.rows, &plan.variants, &streams);
     outcome.rows.extend(streams);
     finish(plan, &mut outcome.rows);
-    if let Workload::Pairs(pairs) = &plan.experiment.workload {
-        let (variants, cancel) = (&plan.variants, bench.cancel);
-        let random = pairs.errors.as_ref();
-        let stiff = pairs.stiff.as_ref();
-        outcome.rows.extend(
-            random.map_or_else(Vec::new, |hits| errors::rows(id, variants, hits, seed, cancel)),
-        );
-        outcome.rows.extend(
-            stiff.map_or_else(Vec::new, |stiff| stiff::rows(id, variants, stiff, seed, cancel)),
-        );
-    }
+    let clock_free = clock_free::rows(plan, Shard::WHOLE, bench.cancel)?;
+    outcome.rows.extend(clock_free.into_iter().map(|(_, row)| row));
     outcome.interrupted = bench.cancel.load(Ordering::Relaxed);
     Ok(outcome)
 }
@@ -185,6 +174,7 @@ fn finish(plan: &Plan, rows: &mut [Row]) {
         }
         if matches!(plan.experiment.workload, Workload::Pairs(_)) {
             put_percent_slower(rows);
+            put_seconds_mean(rows);
         }
     }
 }

@@ -10,10 +10,20 @@ const MOST_ITEM_RUNS: usize = 1 << 26;
 
 /// Runs `block` and times it; nothing but the run is between the two readings.
 pub(super) fn timed(job: &mut dyn Job, block: Block, clock: &mut dyn Clock) -> (u64, Tally) {
+    let (ns, tally, _) = timed_until(job, block, clock);
+    (ns, tally)
+}
+
+/// The same, with what the clock said at its end.
+pub(super) fn timed_until(
+    job: &mut dyn Job,
+    block: Block,
+    clock: &mut dyn Clock,
+) -> (u64, Tally, u64) {
     let start = clock.now_ns();
     let tally = black_box(job.run(black_box(block)));
     let stop = clock.now_ns();
-    (stop.saturating_sub(start), tally)
+    (stop.saturating_sub(start), tally, stop)
 }
 
 /// One untimed pass over the items of `block`.

@@ -1,6 +1,7 @@
 //! What a group of contestants took.
 
 use super::contestant::Role;
+use super::trace::RoundTrace;
 use crate::stats::{Decision, Interval, Ratio};
 
 /// Why a contestant has no figures.
@@ -161,4 +162,6 @@ pub struct GroupReport {
     pub planned_ns: u64,
     /// Whether it was ended before its time.
     pub cancelled: bool,
+    /// Every round that was run to its end, dropped ones too, in their order.
+    pub trace: Vec<RoundTrace>,
 }

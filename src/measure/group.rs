@@ -13,6 +13,7 @@ use super::report::report;
 use super::ruler::Ruler;
 use super::runner::{Instruments, Runner};
 use super::steadiness::Steadiness;
+use super::trace::{RoundState, RoundTrace};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use std::sync::atomic::{AtomicBool, Ordering as Atomic};
@@ -84,9 +85,10 @@ pub fn measure_group(
     let mut runners: Vec<Runner<'_>> = contestants.iter_mut().map(Runner::new).collect();
     surroundings.ruler.settle(surroundings.clock);
     prepare(&mut runners, protocol, surroundings, &mut rng);
-    let rounds = run_rounds(&mut runners, protocol, surroundings, &mut rng);
+    let mut trace = Vec::new();
+    let rounds = run_rounds(&mut runners, protocol, surroundings, &mut rng, &mut trace);
     runners.iter_mut().for_each(Runner::restore);
-    Ok(report(&mut runners, protocol, rounds))
+    Ok(report(&mut runners, protocol, rounds, trace))
 }
 
 /// Cuts the items into blocks, once and for all, and looks whether twice the work takes twice the
@@ -155,6 +157,18 @@ enum Ended {
     Cancelled,
 }
 
+impl Ended {
+    /// What is taken down of it; nothing where it did not come to its end.
+    fn state(self, crowded: bool) -> Option<RoundState> {
+        match self {
+            Ended::Clean if crowded => Some(RoundState::Crowded),
+            Ended::Clean => Some(RoundState::Clean),
+            Ended::Dirty => Some(RoundState::Dirty),
+            Ended::Cancelled => None,
+        }
+    }
+}
+
 /// Runs the planned rounds; dirty ones again, same positions and windows, while spares last, and
 /// on a busy machine beyond that until there are enough for an interval, or it is given up.
 fn run_rounds(
@@ -162,6 +176,7 @@ fn run_rounds(
     protocol: &Protocol,
     surroundings: &mut Surroundings<'_>,
     rng: &mut Pcg64Mcg,
+    trace: &mut Vec<RoundTrace>,
 ) -> Rounds {
     let number = runners.len();
     let planned = protocol.planned_rounds(number);
@@ -184,6 +199,8 @@ fn run_rounds(
             if ended == Ended::Clean && !is_cold && !steadiness.keeps_step(runners) {
                 ended = Ended::Dirty;
             }
+            let state = ended.state(crowded);
+            trace.extend(state.and_then(|state| RoundTrace::of(runners, state)));
             runners.iter_mut().for_each(|r| r.end_round(ended == Ended::Clean, crowded));
             match ended {
                 Ended::Cancelled => return Rounds { cancelled: true, ..rounds },

@@ -39,6 +39,7 @@ mod runner;
 mod scripted;
 mod shuffle;
 mod steadiness;
+mod trace;
 mod windows;
 
 pub use affinity::{allowed_cpus, anywhere, run_anywhere};
@@ -64,3 +65,4 @@ pub use pin::{Pin, Pinned, pin};
 pub use plan::PREDICTED_TESTS;
 pub use protocol::{Order, Pace, Protocol, ProtocolError};
 pub use ruler::{NoRuler, Reading, Ruler};
+pub use trace::{RoundState, RoundTrace};

@@ -7,6 +7,7 @@ use super::group::Rounds;
 use super::guard;
 use super::protocol::{Pace, Protocol};
 use super::runner::{Runner, Sample};
+use super::trace::{self, RoundTrace};
 use super::windows;
 use crate::stats::{decide, log_ratios, median, paired_ratio, sign_interval};
 
@@ -41,10 +42,12 @@ pub(super) fn report(
     runners: &mut [Runner<'_>],
     protocol: &Protocol,
     mut rounds: Rounds,
+    mut trace: Vec<RoundTrace>,
 ) -> GroupReport {
     let number = runners.len();
     let crowded_share = drop_crowded(runners, protocol.planned_rounds(number), &mut rounds);
     runners.iter_mut().for_each(windows::level);
+    trace::level(&mut trace, runners);
     let controls = Controls::of(runners);
     let floor = noise_floor(runners, &controls);
     if protocol.guards && matches!(protocol.pace, Pace::Throughput | Pace::Walk) {
@@ -68,6 +71,7 @@ pub(super) fn report(
         crowded_share,
         planned_ns: protocol.planned_ns(number),
         cancelled: rounds.cancelled,
+        trace,
     }
 }
 

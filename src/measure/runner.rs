@@ -1,6 +1,6 @@
 //! One contestant on its way through the rounds.
 
-use super::calibrate::{timed, warm_up};
+use super::calibrate::{timed_until, warm_up};
 use super::clock::Clock;
 use super::contestant::{Contestant, Expected};
 use super::counters::{Counters, Counts};
@@ -60,6 +60,8 @@ pub(super) struct Sample {
     pub ns: u64,
     /// Tests in it.
     pub tests: u64,
+    /// What the clock said at its end, ns.
+    pub at_ns: u64,
     /// Which window of the items it was.
     pub window: usize,
     /// What the processor counted over the block, where it does.
@@ -181,12 +183,12 @@ impl<'a> Runner<'a> {
         let switches = self.plan.walks.then(|| instruments.disturbance.count());
         let before = instruments.ruler.read(instruments.clock);
         instruments.counters.start();
-        let (ns, tally) = timed(job, block, instruments.clock);
+        let (ns, tally, at_ns) = timed_until(job, block, instruments.clock);
         let counts = instruments.counters.stop();
         let after = instruments.ruler.read(instruments.clock);
         self.disturbed = switches.is_some_and(|before| before != instruments.disturbance.count());
         if tally == self.expectation.block(block, order) {
-            self.take(ns, window, counts, [before, after]);
+            self.take((ns, at_ns), window, counts, [before, after]);
         } else {
             self.fail(Invalid::Tally { round: self.samples.len() });
         }
@@ -205,9 +207,9 @@ impl<'a> Runner<'a> {
         // So that the clock's own code is not cold as well.
         instruments.clock.now_ns();
         instruments.clock.now_ns();
-        let (ns, tally) = timed(job, block, instruments.clock);
+        let (ns, tally, at_ns) = timed_until(job, block, instruments.clock);
         if tally == self.expectation.block(block, None) {
-            self.take(ns, window, None, [before, before]);
+            self.take((ns, at_ns), window, None, [before, before]);
         } else {
             self.fail(Invalid::Tally { round: self.samples.len() });
         }
@@ -215,7 +217,7 @@ impl<'a> Runner<'a> {
 
     fn take(
         &mut self,
-        ns: u64,
+        (ns, at_ns): (u64, u64),
         window: usize,
         counts: Option<Counts>,
         readings: [Option<Reading>; 2],
@@ -229,6 +231,7 @@ impl<'a> Runner<'a> {
         self.pending = Some(Sample {
             ns,
             tests: self.tests(window),
+            at_ns,
             window: window % self.plan.windows,
             counts,
             ns_per_cycle: before.zip(after).map(|(before, after)| (before + after) / 2.0),

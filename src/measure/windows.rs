@@ -46,6 +46,7 @@ mod tests {
         Sample {
             ns,
             tests: 4,
+            at_ns: 0,
             window,
             counts: None,
             ns_per_cycle: None,

@@ -11,6 +11,7 @@ mod glam;
 mod obvhs;
 mod parry;
 mod rayx;
+pub mod trees;
 
 pub use bvh::Bvh;
 pub use glam::Glam;

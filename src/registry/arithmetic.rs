@@ -30,7 +30,7 @@ fn unit<L: Level, R: Real + On<L>>() -> Unit {
 }
 
 /// Every level, f32 and f64, at its native width.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 pub fn units() -> Vec<Unit> {
     use fearless_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 

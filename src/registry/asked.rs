@@ -151,6 +151,16 @@ fn listing<K: Listing>(all: &mut Vec<Asked>, division: &'static str) {
     listed::<K, Flushed<f32>>(all, division, FLUSHED);
 }
 
+/// The place of a listing on every axis.
+pub(super) fn listing_axes<K: Listing>(precision: &'static str, division: &'static str) -> Axes {
+    Axes {
+        division,
+        leading: "inside",
+        stored: K::ABOUT.stored,
+        ..Axes::usual(K::ABOUT.id, precision, level(false))
+    }
+}
+
 fn listed<K: Listing, E: Element>(
     all: &mut Vec<Asked>,
     division: &'static str,
@@ -161,13 +171,7 @@ fn listed<K: Listing, E: Element>(
         let (code, t, u, v) = K::run::<E, Literally, true>(&ray, &K::prepare(&corners));
         answer(code == 0, [t, u, v], code)
     }
-    let axes = Axes {
-        division,
-        leading: "inside",
-        stored: K::ABOUT.stored,
-        subnormals,
-        ..Axes::usual(K::ABOUT.id, E::NAME, level(false))
-    };
+    let axes = Axes { subnormals, ..listing_axes::<K>(E::NAME, division) };
     all.push(Asked { axes, about: &K::ABOUT, is_segment: false, ask: ask::<K, E> });
 }
 

@@ -40,14 +40,14 @@ impl KernelVisitor for Driven<'_> {
 /// A form of `K` with t, u and v.
 pub type Of<K, E, D, A> = Form<E, D, A, Tuv, TwoSided, Compare, <K as Offers>::Native, Nearer>;
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 type Base = level::Sse2;
 #[cfg(target_arch = "aarch64")]
 type Base = level::Neon;
 
 /// One ray against as many triangles as a register of the level has numbers. Of sixteen in `full` only:
 /// leaving early, Möller-Trumbore's test has one register more than there are.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn all_groups<K: Offers>(v: &mut Vec<Variant>) {
     use crate::level::{Avx2, Avx512, Sse2};
     use crate::policy::Fused;
@@ -109,7 +109,7 @@ fn bundle<K: Offers, P: Policy, const N: usize>(v: &mut Vec<Variant>) {
 }
 
 /// Single rays at the baseline, and the widest packets.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn layouts<K: Offers>(v: &mut Vec<Variant>) {
     use crate::level::{Avx2, Avx512};
     use crate::policy::Fused;

@@ -7,7 +7,7 @@ use super::forms::divisions_with;
 use super::{Offers, Variant};
 
 /// Other edge functions: early only, at the baseline and where products can be fused.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 pub fn all<K: Offers>(v: &mut Vec<Variant>) {
     use fearless_simd::{f32x8, f32x16};
 

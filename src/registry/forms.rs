@@ -33,7 +33,7 @@ impl KernelVisitor for Timed<'_> {
 }
 
 /// The levels and the numbers that each of them has natively.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     use fearless_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
@@ -78,7 +78,7 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
 
 /// The library is built a second time for its own tests, which need a form of each kind; those in
 /// `tests` are built with all forms, and hold every one of them to the laws. Half of a build saved.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 const EVERY_LEVEL: bool = cfg!(not(test));
 
 /// The levels and the numbers that each of them has natively.
@@ -284,7 +284,7 @@ fn exit_code<K: Offers, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
 
 /// Three copies of the reference kernel.
 pub fn placebos(v: &mut Vec<Variant>) {
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     type Base = crate::level::Sse2;
     #[cfg(target_arch = "aarch64")]
     type Base = crate::level::Neon;

@@ -11,7 +11,7 @@ use crate::policy::Ray;
 
 use super::{Axes, ListingVisitor, Variant, bind_pairs, visit_listings};
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 type Base = level::Sse2;
 #[cfg(target_arch = "aarch64")]
 type Base = level::Neon;
@@ -57,7 +57,7 @@ pub fn placebos(v: &mut Vec<Variant>) {
 fn levels<K: Listing>(v: &mut Vec<Variant>, division: &'static str) {
     outputs::<K, f32, Base>(v, division);
     outputs::<K, f64, Base>(v, division);
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     {
         outputs::<K, f32, level::Avx2>(v, division);
         outputs::<K, f64, level::Avx2>(v, division);

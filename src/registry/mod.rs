@@ -3,10 +3,15 @@
 mod arithmetic;
 mod asked;
 mod axes;
+mod calling;
 mod drives;
 mod edges;
 mod every;
 mod forms;
+#[cfg(feature = "cli")]
+mod leaves;
+#[cfg(feature = "cli")]
+mod listing_leaves;
 mod listings;
 mod offers;
 mod packets;
@@ -18,13 +23,21 @@ mod registers;
 mod sharing;
 mod streams;
 mod techniques;
+#[cfg(feature = "cli")]
+mod wide;
 
 pub use arithmetic::{Unit, units};
 pub use asked::{Asked, asked, asked_with_peers};
 pub use axes::{Axes, COLUMNS};
 pub use every::{KernelVisitor, ListingVisitor, visit_kernels, visit_listings};
+#[cfg(feature = "cli")]
+pub use leaves::{LeafForm, leaves};
+#[cfg(feature = "cli")]
+pub use listing_leaves::listing_leaves;
 pub use offers::{Offers, Other};
 pub use streams::{OneStream, streams};
+#[cfg(feature = "cli")]
+pub use wide::{SearchBinder, WideForm, wide_forms};
 
 use std::sync::LazyLock;
 

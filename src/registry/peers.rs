@@ -14,7 +14,7 @@ use crate::workload::{Ray, Triangle};
 use super::asked::{Asked, answer};
 use super::{Axes, Binder, Variant};
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 type Base = level::Sse2;
 #[cfg(target_arch = "aarch64")]
 type Base = level::Neon;

@@ -13,7 +13,7 @@ use crate::policy::{
 
 use super::{Axes, Variant, bind_pairs};
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 type Base = level::Sse2;
 #[cfg(target_arch = "aarch64")]
 type Base = level::Neon;

@@ -13,7 +13,7 @@ use super::forms::{drive, numbers, variant};
 use super::{Axes, Variant, bind_nearest, preparing, registers};
 
 /// Three stored indices; one axis for all, of which a terrain needs the last; three sorted batches.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 pub fn all(v: &mut Vec<Variant>) {
     use crate::level::{Avx2, Avx512, Sse2};
     use crate::policy::Fused;

@@ -5,7 +5,7 @@ use crate::number::Lanes;
 
 type Token<L> = <L as Level>::Token;
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod here {
     use fearless_simd::{f32x4, f32x8, f32x16, f64x8};
 

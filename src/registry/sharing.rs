@@ -32,7 +32,7 @@ pub fn all(v: &mut Vec<Variant>) {
 }
 
 /// Packets of one register and of two; early packets of one.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn lengths<K: Offers + Shares<C>, C: Common>(v: &mut Vec<Variant>) {
     use crate::level::{Avx2, Avx512};
     use registers::{Eight, Sixteen};

@@ -82,7 +82,7 @@ fn fused<L: Level, R: Toggle + On<L>>(v: &mut Vec<OneStream>) {
 }
 
 /// Every level at its native width, and AVX2 in the registers that single numbers are in as well.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 pub fn streams() -> Vec<OneStream> {
     use fearless_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 

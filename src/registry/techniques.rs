@@ -26,7 +26,7 @@ impl KernelVisitor for Techniques<'_> {
     fn other_edges<K: Offers>(&mut self) {}
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     use crate::level::{Avx2, Avx512, Sse2};
     use registers::{Eight, Sixteen};

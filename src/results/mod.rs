@@ -1,8 +1,41 @@
 //! Folders of results, read back: what claims, reports and recommendations start from.
+//!
+//! How several are put together:
+//! - **What was measured on one machine with one build** (`testbed_id` and `build` of its environment
+//!   are the same) becomes one source, if no two of its folders have different figures for the same
+//!   thing, or an experiment of another text: those are shards of a run, or runs of different
+//!   experiments. A row that is in two folders, equal in all columns, counts once. Folders that
+//!   differ in a figure are different measurements, and so different sources.
+//! - **Shards** need no clock, so that for folders of nothing but shards the same build is enough: a job
+//!   array may run on processors of several kinds. The source is then named after the first.
+//! - **The order of the rows** is that of the unsplit run: shards say where each of their rows stands
+//!   in it. Rows that are of no shard stand before those, folder by folder.
+//! - With several sources, the column `machine` of each row names its own, and the rows of an
+//!   experiment stand source by source.
+
+mod drawings;
+mod files;
+mod load;
+mod machine;
+mod merge;
+mod order;
+mod part;
+#[cfg(test)]
+mod tests;
+
+pub use drawings::{Drawing, drawings};
+pub use files::{COMPLETE, DESCRIPTION, ENVIRONMENT, JOURNAL, ROWS, SHARD, SOURCES, TABLE};
+pub use load::{Describe, load};
+pub mod derived;
+mod mixture;
+
+mod fingerprint;
 
 use crate::chart::Figure;
-use crate::table::Row;
+use crate::table::{Round, Row, TableError};
 use serde_json::Value;
+use std::io;
+use std::path::PathBuf;
 
 /// What one or several folders of results hold, put together.
 #[derive(Clone, Debug, Default)]
@@ -11,6 +44,8 @@ pub struct Results {
     pub sources: Vec<Source>,
     /// Experiments, the theses' first.
     pub chapters: Vec<Chapter>,
+    /// Rounds of the one run that they are of, in the order of time; none of several.
+    pub rounds: Vec<Round>,
 }
 
 /// A machine and build that rows come from.
@@ -26,7 +61,7 @@ pub struct Source {
 }
 
 /// An experiment's rows, from all sources.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Chapter {
     /// What it asks, and what is drawn.
     pub about: About,
@@ -39,7 +74,7 @@ pub struct Chapter {
 }
 
 /// What an experiment asks, without what runs it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct About {
     /// Id, the name of its folder.
     pub id: String,
@@ -71,4 +106,42 @@ impl Results {
     pub fn chapter(&self, id: &str) -> Option<&Chapter> {
         self.chapters.iter().find(|chapter| chapter.about.id == id)
     }
+}
+
+impl About {
+    /// Of an experiment that nobody describes: its id.
+    pub fn unknown(id: &str) -> Self {
+        About { id: id.to_owned(), title: id.to_owned(), ..About::default() }
+    }
+}
+
+/// Why folders cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum LoadError {
+    /// A folder or a file cannot be read.
+    #[error("{}: {source}; allowed: the folder of a run, or of one experiment of it", file.display())]
+    Io {
+        /// The folder or file.
+        file: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// Rows are broken.
+    #[error("{0}; allowed: what `ray_test run` wrote")]
+    Table(#[from] TableError),
+    /// An `environment.json` is broken.
+    #[error("{}: {message}; allowed: what `ray_test run` wrote", file.display())]
+    Environment {
+        /// The file.
+        file: PathBuf,
+        /// What the parser says, with the place.
+        message: String,
+    },
+    /// A folder holds no results.
+    #[error(
+        "{}: no rows.json or rows.ndjson in it or in a folder of it; \
+         allowed: the folder of a run, or of one experiment of it",
+        .0.display()
+    )]
+    Nothing(PathBuf),
 }

@@ -1,5 +1,6 @@
 //! The smallest box around points, and the ball around the box.
 
+use crate::number::Precision;
 use glam::{DVec3, Vec3};
 
 /// An axis-aligned box.
@@ -34,7 +35,7 @@ impl Bounds {
     /// Radius of the ball around the box. Where all points are one, the unit roundoff of f32 times
     /// the largest coordinate, or the smallest number: never 0.
     pub fn radius(&self) -> f64 {
-        let rounding = f64::from(f32::EPSILON) / 2.0 * self.largest_coordinate();
+        let rounding = Precision::F32.unit_roundoff() * self.largest_coordinate();
         (self.diagonal() / 2.0).max(rounding).max(f64::from(f32::MIN_POSITIVE))
     }
 

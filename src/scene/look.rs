@@ -70,4 +70,16 @@ impl Looks {
         self.samples = Some(Samples::of(mesh, rays, nearest));
         self
     }
+
+    /// Whether the first triangle that any of the rays meets shows its front, so that backs need not
+    /// be tested: the surface is closed and consistent, every shell has its normals outwards, every
+    /// ray starts outside the box around all, at t = 0. Where a ray meets an edge exactly, a back
+    /// may be met at the same distance. `false` until rays were looked at, and wherever this is not
+    /// known.
+    pub fn hides_backs(&self) -> bool {
+        let Edges { closed, consistent, shells, outward, .. } = self.edges;
+        let faces_out = closed && consistent && outward == shells;
+        faces_out
+            && self.rays.as_ref().is_some_and(|rays| rays.all_outside && rays.moved_starts == 0)
+    }
 }

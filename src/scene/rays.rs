@@ -10,13 +10,14 @@ mod spot;
 mod tests;
 
 pub use camera::Camera;
+pub use shadow::ray as towards_light;
 pub use spot::{OFFSET, Spot};
 
 use super::bounds::Bounds;
 use super::mesh::{Mesh, View};
 use crate::check::read::ReadError;
-use crate::workload::{Pcg, Ray};
-use glam::Vec3;
+use crate::workload::{Pcg, Ray, ray};
+use glam::{DVec3, Vec3};
 
 /// Which rays.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -130,6 +131,11 @@ impl Rays {
 /// The view that primary rays of a mesh have: its own, or one of the whole mesh.
 pub fn view(mesh: &Mesh) -> View {
     mesh.view.unwrap_or_else(|| camera::whole(&mesh.bounds()))
+}
+
+/// A ray that ends nowhere, and whose segment ends beyond the mesh; `direction` is of length 1.
+pub fn beyond(origin: Vec3, direction: DVec3, bounds: &Bounds) -> Ray {
+    ray(origin, direction.as_vec3(), reach(origin, bounds))
 }
 
 /// Purposes of the generator.

@@ -95,17 +95,10 @@ fn inputs_fail(row: &Row, precision: Precision) -> bool {
 
 /// For every form and class of rays, leaks and double hits over all meshes and offsets.
 pub fn leaks(forms: &[Form], rows: &[Row]) -> Vec<Row> {
-    let classes = [
-        RayClass::Random,
-        RayClass::Edge,
-        RayClass::Vertex,
-        RayClass::ExactEdge,
-        RayClass::ExactVertex,
-    ];
     let mut sums = Vec::new();
     for form in forms {
         let id = form.asked.id();
-        for class in classes.map(RayClass::word) {
+        for class in RayClass::ALL.map(RayClass::word) {
             let is_mine =
                 |row: &&Row| row.record == "rays" && row.id == id && row.ray_class == class;
             let mine: Vec<&Row> = rows.iter().filter(is_mine).collect();

@@ -38,6 +38,15 @@ pub enum RayClass {
 }
 
 impl RayClass {
+    /// All of them, in the order of tables.
+    pub const ALL: [RayClass; 5] = [
+        RayClass::Random,
+        RayClass::Edge,
+        RayClass::Vertex,
+        RayClass::ExactEdge,
+        RayClass::ExactVertex,
+    ];
+
     /// The word in the column `ray_class`.
     pub fn word(self) -> &'static str {
         match self {

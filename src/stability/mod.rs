@@ -22,6 +22,7 @@ mod leaks;
 mod mesh;
 mod mesh_rays;
 mod metamorphic;
+mod places;
 mod precision;
 mod rows;
 mod spawned;

@@ -3,8 +3,10 @@
 use super::family::{Family, Work};
 use super::forms::Form;
 use super::mesh_rays::RayClass;
+use super::places::places;
 use super::precision::Precision;
 use super::{cells, knee, mesh_rays, metamorphic, spawned};
+use crate::shard::Shard;
 use crate::spread::{Watch, pieces};
 use crate::table::Row;
 
@@ -68,6 +70,9 @@ pub struct Sweep {
     pub depth: Depth,
     /// Where the generators start.
     pub seed: u64,
+    /// Which of the forms are asked: every row is about one form, so that no row needs another
+    /// shard's.
+    pub shard: Shard,
 }
 
 /// What came of a sweep.
@@ -75,11 +80,18 @@ pub struct Outcome {
     /// All rows: those of settings in the order of families, precisions and knobs, then knees and
     /// leaks.
     pub rows: Vec<Row>,
+    /// Where each row stands among those of all shards: sorted by this, they stand as in the whole.
+    pub places: Vec<u64>,
     /// Whether every setting was done.
     pub complete: bool,
 }
 
 impl Sweep {
+    /// The forms of this shard.
+    fn asked(&self) -> &[Form] {
+        &self.forms[self.shard.range(self.forms.len())]
+    }
+
     /// Every setting, with the place of its family.
     fn settings(&self) -> Vec<(usize, Setting)> {
         let mut settings = Vec::new();
@@ -104,7 +116,7 @@ impl Sweep {
     }
 
     fn has(&self, precision: Precision) -> bool {
-        self.forms.iter().any(|form| form.precision == precision)
+        self.asked().iter().any(|form| form.precision == precision)
     }
 
     /// Number of pieces that [`Watch::done`] is told of.
@@ -115,7 +127,7 @@ impl Sweep {
     /// Expected time of a piece on one processor, in seconds. Rates as measured on a processor of
     /// 2024; they differ by a factor of two or so.
     fn seconds_of(&self, (index, setting): &(usize, Setting)) -> f64 {
-        let forms = self.forms.iter().filter(|form| form.precision == setting.precision).count();
+        let forms = self.asked().iter().filter(|form| form.precision == setting.precision).count();
         let (each, of_form) = match self.families[*index].work {
             Work::Aimed(_) | Work::Free(_) => (10e-6, 0.6e-6),
             Work::Mesh(_) => (10e-6, 0.4e-6),
@@ -148,21 +160,20 @@ impl Sweep {
         }
         let complete = by_setting.iter().all(Option::is_some);
         let mut rows: Vec<Row> = by_setting.into_iter().flatten().flatten().collect();
-        let knees = knee::knees(&self.families, &self.forms, &rows);
-        let leaks = knee::leaks(&self.forms, &rows);
+        let knees = knee::knees(&self.families, self.asked(), &rows);
+        let leaks = knee::leaks(self.asked(), &rows);
         rows.extend(knees);
         rows.extend(leaks);
-        Outcome { rows, complete }
+        Outcome { places: places(&self.families, &self.forms, &rows), rows, complete }
     }
 
     fn rows_of(&self, family: &Family, setting: &Setting) -> Vec<Row> {
+        let forms = self.asked();
         match family.work {
-            Work::Aimed(_) | Work::Free(_) => cells::rows_of(family, setting, &self.forms),
-            Work::Mesh(kind) => mesh_rays::rows_of(family, kind, setting, &self.forms),
-            Work::Spawned => spawned::rows_of(family, setting, &self.forms),
-            Work::Metamorphic(transform) => {
-                metamorphic::rows_of(family, transform, setting, &self.forms)
-            }
+            Work::Aimed(_) | Work::Free(_) => cells::rows_of(family, setting, forms),
+            Work::Mesh(kind) => mesh_rays::rows_of(family, kind, setting, forms),
+            Work::Spawned => spawned::rows_of(family, setting, forms),
+            Work::Metamorphic(transform) => metamorphic::rows_of(family, transform, setting, forms),
         }
     }
 }

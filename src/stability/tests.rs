@@ -3,6 +3,7 @@
 use super::family::Family;
 use super::sweep::Sweep;
 use super::*;
+use crate::shard::Shard;
 use crate::spread::Watch;
 use crate::table::Row;
 use std::sync::atomic::AtomicBool;
@@ -11,7 +12,7 @@ fn sweep(ids: &[&str], kernels: &[&str], seed: u64) -> Sweep {
     let families: Vec<Family> = ids.iter().map(|id| find(id).expect(id)).collect();
     let words: Vec<String> = kernels.iter().map(|word| (*word).to_owned()).collect();
     let forms = forms(&words, Some(Precision::F32)).expect("they are kernels");
-    Sweep { families, forms, depth: Depth::Quick, seed }
+    Sweep { families, forms, depth: Depth::Quick, seed, shard: Shard::WHOLE }
 }
 
 fn rows(sweep: &Sweep, threads: usize) -> Vec<Row> {
@@ -31,6 +32,28 @@ fn rows_do_not_depend_on_the_number_of_threads() {
 }
 
 #[test]
+fn shards_sorted_by_place_are_the_whole() {
+    let kernels = ["wald", "chirkov", "woop-watertight"];
+    let of = |shard: &str| {
+        let ids = ["tiny", "grazing", "lattice-mesh", "permuted-axes"];
+        let one = sweep(&ids, &kernels, 1);
+        let shard = shard.parse().expect("a share");
+        let forms = forms(&kernels.map(str::to_owned), None).expect("they are kernels");
+        let cancel = AtomicBool::new(false);
+        let watch = Watch { cancel: &cancel, done: &|_| {}, threads: None };
+        let outcome = Sweep { shard, forms, ..one }.run(&watch);
+        outcome.places.into_iter().zip(outcome.rows).collect::<Vec<_>>()
+    };
+    let whole = of("1/1");
+    assert!(whole.is_sorted_by_key(|(place, _)| *place));
+    let mut parts = ["2/3", "3/3", "1/3"].map(of).concat();
+    parts.sort_by_key(|(place, _)| *place);
+    // What is said of the inputs alone is in every shard.
+    parts.dedup();
+    assert_eq!(parts, whole);
+}
+
+#[test]
 fn what_is_cancelled_is_not_complete() {
     let cancel = AtomicBool::new(true);
     let watch = Watch { cancel: &cancel, done: &|_| {}, threads: None };
@@ -47,7 +70,7 @@ fn forms_are_named_by_what_is_unusual_about_them() {
         assert!(!forms[..index].iter().any(same), "{}", form.name);
     }
     let wanted = ["moller-trumbore/f32/single/sse2/early/first/plain/tuv".to_owned()];
-    if cfg!(target_arch = "x86_64") {
+    if cfg!(any(target_arch = "x86", target_arch = "x86_64")) {
         let one = super::forms(&wanted, None).unwrap();
         assert_eq!(
             one.iter().map(|form| form.name.as_str()).collect::<Vec<_>>(),

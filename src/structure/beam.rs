@@ -56,6 +56,16 @@ impl Beam {
         Some(Beam { origin, direction, inverse, is_backward, t_min, t_max })
     }
 
+    /// The same ray in a space that is larger by a power of two between 2^-200 and 2^200; t is the same.
+    pub fn scaled(&self, scale: f64) -> Beam {
+        Beam {
+            origin: self.origin.map(|x| x * scale),
+            direction: self.direction.map(|x| x * scale),
+            inverse: self.inverse.map(|x| x / scale),
+            ..*self
+        }
+    }
+
     /// Where the plane at `place` across `axis` is met; NaN for a ray that lies in it.
     #[inline(always)]
     pub fn at(&self, axis: usize, place: f64) -> f64 {

@@ -3,16 +3,13 @@
 //! steps of a power of two, a byte a plane. Walked by us: the crate's own walk skips what is nearer than
 //! 0.0001, and replaces small components of a direction.
 
-use obvhs::BvhBuildParams;
-use obvhs::aabb::Aabb;
 use obvhs::cwbvh::CwBvh;
-use obvhs::cwbvh::builder::build_cwbvh;
+use obvhs::cwbvh::bvh2_to_cwbvh::bvh2_to_cwbvh;
 use obvhs::cwbvh::node::CwBvhNode;
-use std::time::Duration;
 
 use super::beam::WIDER;
-use super::placed::{Placed, placed};
-use super::ready_made::aabb;
+use super::placed::{Placed, around, placed};
+use super::ready_made::{Distinct, scale};
 use super::search::{Search, Visit, farthest_first};
 use super::{Beam, Structure};
 use crate::workload::Triangle;
@@ -26,22 +23,36 @@ const MARGIN: f64 = 1.0 / 64.0;
 /// Nodes of eight, and the triangle at every place.
 pub struct Compressed {
     nodes: Vec<CwBvhNode>,
+    /// Where the triangles of each place of a leaf begin.
+    starts: Vec<u32>,
     indices: Vec<u32>,
+    /// A power of two: boxes are of this scale.
+    scale: f64,
 }
 
+/// Boxes of a leaf, at most.
+const MOST_BOXES: u32 = 3;
+
 impl Compressed {
-    /// Of leaves with up to three triangles, as the format allows.
+    /// Of leaves with up to three boxes, as the format allows; a triangle has one, or shares it.
     pub fn new(triangles: &[Triangle]) -> Self {
         let placed: Vec<Placed> = placed(triangles);
-        let boxes: Vec<Aabb> = placed.iter().map(|one| aabb(&one.bounds)).collect();
-        if boxes.is_empty() {
-            return Compressed { nodes: Vec::new(), indices: Vec::new() };
+        let mut compressed =
+            Compressed { nodes: Vec::new(), starts: Vec::new(), indices: Vec::new(), scale: 1.0 };
+        if placed.is_empty() {
+            return compressed;
         }
-        let wanted = BvhBuildParams { max_prims_per_leaf: 3, ..BvhBuildParams::medium_build() };
+        compressed.scale = scale(&around(&placed));
+        let distinct = Distinct::of(&placed, compressed.scale);
         let CwBvh { nodes, primitive_indices, .. } =
-            build_cwbvh(&boxes, wanted, &mut Duration::default());
-        let triangle = |index: &u32| placed[*index as usize].triangle;
-        Compressed { nodes, indices: primitive_indices.iter().map(triangle).collect() }
+            bvh2_to_cwbvh(&distinct.tree(), MOST_BOXES, true, false);
+        compressed.nodes = nodes;
+        for index in primitive_indices {
+            compressed.starts.push(compressed.indices.len() as u32);
+            compressed.indices.extend(distinct.triangles(index as usize));
+        }
+        compressed.starts.push(compressed.indices.len() as u32);
+        compressed
     }
 }
 
@@ -97,15 +108,18 @@ impl Structure for Compressed {
         if self.nodes.is_empty() {
             return;
         }
+        let beam = &beam.scaled(self.scale);
         let mut stack = search.take_stack();
-        // Of a leaf: how many triangles, at the place of `node`, are in the bits of `far`.
+        // Of a leaf: `node` is its first place, `far` the number of its places.
         stack.push(Visit { near: beam.t_min, far: 0.0, node: 0 });
         while let Some(Visit { near, far, node }) = stack.pop() {
             if near > search.bound() {
                 continue;
             }
             if far > 0.0 {
-                if search.test(&self.indices[node as usize..][..far as usize]) {
+                let places = node as usize..node as usize + far as usize;
+                let (first, end) = (self.starts[places.start], self.starts[places.end]);
+                if search.test(&self.indices[first as usize..end as usize]) {
                     break;
                 }
                 continue;
@@ -130,6 +144,7 @@ impl Structure for Compressed {
     }
 
     fn bytes(&self) -> usize {
-        size_of_val(self.nodes.as_slice()) + size_of_val(self.indices.as_slice())
+        let lists = self.starts.len() + self.indices.len();
+        size_of_val(self.nodes.as_slice()) + lists * size_of::<u32>()
     }
 }

@@ -24,7 +24,8 @@ struct Node<V> {
     is_leaf: bool,
 }
 
-/// How often rays met a volume and one in it: to compare with their surfaces.
+/// How often lines met a volume and one in it: to compare with their surfaces, where volumes lie within
+/// their parents, as boxes do.
 #[derive(Clone, Copy, Debug)]
 pub struct Chance<V> {
     /// Around it.
@@ -116,12 +117,13 @@ impl<V: Volume> Hierarchy<V> {
         }
         let mut chances = Vec::new();
         for (parent, parent_met) in self.nodes.iter().zip(&met).filter(|(node, _)| !node.is_leaf) {
-            for child in parent.first as usize..(parent.first + parent.count) as usize {
+            let children = parent.first as usize..(parent.first + parent.count) as usize;
+            for (child, child_met) in self.nodes[children.clone()].iter().zip(&met[children]) {
                 chances.push(Chance {
                     parent: parent.volume,
-                    child: self.nodes[child].volume,
+                    child: child.volume,
                     parent_met: *parent_met,
-                    child_met: met[child],
+                    child_met: *child_met,
                 });
             }
         }

@@ -85,10 +85,12 @@ impl Tree {
     }
 
     /// The expected number of tests is the sum over volumes of their surface times their number of
-    /// children. Going into a volume costs what its growth does, and at most one child more in it. Of
-    /// choices that cost the same, the first is taken.
+    /// children. On its own, an object adds its volume's surface; with another, a volume of two. Going
+    /// into a volume adds its growth for each child in it, and at the least what two objects of the size
+    /// of this one would. Of choices that cost the same, the first is taken.
     fn choice(&self, node: usize, bounds: &Bounds) -> Choice {
         let Node { bounds: own, children, .. } = &self.nodes[node];
+        let least = 2.0 * bounds.area();
         let may_stay = children.len() < MOST_CHILDREN;
         let mut best = (if may_stay { own.area() } else { f64::INFINITY }, Choice::Alone);
         for (place, child) in children.iter().map(|child| &self.nodes[*child]).enumerate() {
@@ -97,7 +99,7 @@ impl Tree {
                 Some(_) => (2.0 * area, Choice::With(place)),
                 None => {
                     let growth = area - child.bounds.area();
-                    (growth * child.children.len() as f64 + area, Choice::Into(place))
+                    (growth * child.children.len() as f64 + least, Choice::Into(place))
                 }
             };
             if cost < best.0 {

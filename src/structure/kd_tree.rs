@@ -143,8 +143,7 @@ impl Structure for KdTree {
                     }
                     Node::Plane { axis, place, first } => {
                         search.open();
-                        let children = Sides::of(beam, axis, place, first);
-                        match children.parts(near, far) {
+                        match Sides::of(beam, axis, place, first).parts(near, far) {
                             [Some(one), Some(other)] => {
                                 stack.push(other);
                                 (node, near, far) = (one.node as usize, one.near, one.far);
@@ -183,14 +182,9 @@ impl Sides {
     fn of(beam: &Beam, axis: usize, place: f32, first: u32) -> Self {
         let away = f64::from(place) - beam.origin[axis];
         if beam.direction[axis] == 0.0 {
-            // On one side for ever; in the plane, on both.
-            return match away.total_cmp(&0.0) {
-                _ if away == 0.0 => {
-                    Sides { nodes: [first, first + 1], cut: [f64::INFINITY, f64::NEG_INFINITY] }
-                }
-                std::cmp::Ordering::Less => Sides { nodes: [first + 1, first], cut: NEVER },
-                _ => Sides { nodes: [first, first + 1], cut: NEVER },
-            };
+            // On one side for ever; in the plane, either: what touches it is on both.
+            let nodes = if away >= 0.0 { [first, first + 1] } else { [first + 1, first] };
+            return Sides { nodes, cut: NEVER };
         }
         let t = beam.at(axis, place.into());
         let back = u32::from(beam.is_backward[axis]);

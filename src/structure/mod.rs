@@ -21,6 +21,8 @@ mod beam;
 mod best;
 mod bounded;
 mod compressed;
+#[cfg(test)]
+mod cost_tests;
 mod counts;
 mod excuse;
 mod grid;
@@ -42,6 +44,7 @@ mod surface_area;
 mod tests;
 mod topology;
 pub mod volume;
+mod volume_job;
 pub mod wide;
 
 pub use beam::Beam;
@@ -51,19 +54,20 @@ pub use compressed::Compressed;
 pub use counts::{Counts, pays};
 pub use excuse::{Excuse, excuse};
 pub use grid::Grid;
-pub use hierarchy::Hierarchy;
+pub use hierarchy::{Chance, Hierarchy};
 pub use insertion::inserted;
 pub use kd_tree::KdTree;
 pub use kind::{KINDS, Kind, kind};
-pub use leaf::{KernelLeaf, Leaf};
+pub use leaf::{KernelLeaf, Leaf, ListingLeaf};
 pub use list::List;
 pub use octree::Octree;
 pub use ready_made::from_obvhs;
 pub use search::Search;
 pub use sorted::SortedVolumes;
-pub use structure_job::StructureJob;
+pub use structure_job::{SearchJob, StructureJob};
 pub use surface_area::by_surface_area;
 pub use topology::Topology;
+pub use volume_job::{VOLUMES, VolumeForm};
 
 /// Triangles, arranged for rays.
 pub trait Structure {

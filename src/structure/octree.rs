@@ -36,6 +36,19 @@ struct Node {
 
 const EMPTY: Node = Node { first: 0, count: 0, is_cell: true };
 
+/// A cube around a box, so that cells are cubes.
+fn cube(bounds: &Bounds) -> Bounds {
+    let longest = (0..3).map(|axis| bounds.extent(axis)).fold(0.0, f64::max);
+    let mut cube = *bounds;
+    for axis in 0..3 {
+        let (middle, half) = (0.5 * bounds.doubled_middle(axis), 0.5 * longest);
+        // Rounding must not cut off what is there, nor reach infinity.
+        cube.low[axis] = cube.low[axis].min((middle - half) as f32).max(-f32::MAX);
+        cube.high[axis] = cube.high[axis].max((middle + half) as f32).min(f32::MAX);
+    }
+    cube
+}
+
 /// The eighth `child` of a cell: bit `axis` says which half along an axis. Halves share their middle, so
 /// that nothing is between them.
 #[inline(always)]
@@ -58,7 +71,7 @@ impl Octree {
     /// level more, as of a surface.
     pub fn new(triangles: &[Triangle]) -> Self {
         let placed = placed(triangles);
-        let bounds = around(&placed);
+        let bounds = cube(&around(&placed));
         let deepest = MORE_LEVELS + placed.len().max(1).ilog2().div_ceil(2);
         let (most, mut held) = (MOST_COPIES * placed.len(), placed.len());
         let mut tree = Octree { bounds, nodes: Vec::new(), indices: Vec::new() };
@@ -99,8 +112,8 @@ fn split(placed: &[Placed], bounds: &Bounds, spare: usize) -> Option<[Vec<Placed
     let helps = parts.iter().any(|part| part.len() < placed.len());
     // Each is in one of them at least.
     let copies = parts.iter().map(Vec::len).sum::<usize>() - placed.len();
-    // Where each is in half of the eighths, as around a vertex of many, another level only makes copies.
-    (helps && copies <= spare && copies < 3 * placed.len()).then_some(parts)
+    // Where each is in most of the eighths, as around a vertex of many, another level only makes copies.
+    (helps && copies <= spare && copies < 4 * placed.len()).then_some(parts)
 }
 
 /// A node on the stack, with its box, which is not stored.

@@ -34,9 +34,16 @@ impl StructureJob {
         }
         self.search.counts()
     }
+}
 
-    /// Bytes of the structure, and of what the kernel stores of the triangles.
-    pub fn bytes(&self) -> [usize; 2] {
+/// A job that knows how much memory it searches.
+pub trait SearchJob: Job {
+    /// Bytes of the structure, and of what is stored of its triangles.
+    fn bytes(&self) -> [usize; 2];
+}
+
+impl SearchJob for StructureJob {
+    fn bytes(&self) -> [usize; 2] {
         [self.structure.bytes(), self.search.leaf().bytes()]
     }
 }

@@ -124,21 +124,21 @@ pub fn rays(triangles: &[Triangle], count: usize) -> Vec<Ray> {
 struct Seen {
     hits: usize,
     ties: usize,
-    excused: usize,
+    too_near: usize,
 }
 
 /// Of each kernel and structure: the answers of the list, but for what is excused.
 fn agree(triangles: &[Triangle], rays: &[Ray]) -> Seen {
     let mut seen = Seen::default();
     let list = List::new(triangles.len() as u32);
+    let built: Vec<_> = KINDS.iter().map(|kind| (kind.build)(triangles)).collect();
     for make in LEAVES {
         let mut plain = Search::new(make(triangles));
         let is_segment = plain.leaf().is_segment();
         let expected: Vec<Option<Hit>> = rays.iter().map(|ray| plain.nearest(&list, ray)).collect();
         seen.hits += expected.iter().flatten().count();
         seen.ties += ties(triangles, rays, &expected, make);
-        for kind in &KINDS {
-            let structure = (kind.build)(triangles);
+        for (kind, structure) in KINDS.iter().zip(&built) {
             let mut search = Search::new(make(triangles));
             for (ray, expected) in rays.iter().zip(&expected) {
                 let found = search.nearest(structure.as_ref(), ray);
@@ -146,7 +146,7 @@ fn agree(triangles: &[Triangle], rays: &[Ray]) -> Seen {
                     let hit = expected.expect("a structure tests no more than the list");
                     let why = excuse(ray, triangles, &hit, is_segment);
                     assert!(why.is_some(), "{} {found:?} {expected:?} {ray:?}", kind.id);
-                    seen.excused += 1;
+                    seen.too_near += usize::from(why == Some(Excuse::TooNear));
                 } else {
                     assert_eq!(
                         search.any(structure.as_ref(), ray),
@@ -178,7 +178,7 @@ fn ties(triangles: &[Triangle], rays: &[Ray], expected: &[Option<Hit>], make: Ma
 
 #[test]
 fn structures_answer_as_the_list_does_on_small_triangles() {
-    let triangles = soup(400, 0.1);
+    let triangles = soup(300, 0.12);
     let seen = agree(&triangles, &rays(&triangles, 360));
     assert!(seen.hits > 700, "{seen:?}");
 }
@@ -192,9 +192,11 @@ fn structures_answer_as_the_list_does_on_large_triangles() {
 
 #[test]
 fn structures_answer_as_the_list_does_on_a_closed_mesh() {
-    let triangles = cube(4);
+    let triangles = cube(3);
     let seen = agree(&triangles, &rays(&triangles, 360));
     assert!(seen.hits > 800 && seen.ties > 150, "{seen:?}");
+    // No kernel is off by as much as a structure allows for.
+    assert_eq!(seen.too_near, 0);
 }
 
 #[test]
@@ -233,4 +235,52 @@ fn structures_of_nothing_and_of_one_hit_what_is_there() {
             );
         }
     }
+}
+
+#[test]
+fn a_job_tells_what_searches_tell() {
+    use crate::job::{Block, Job};
+
+    let triangles = cube(2);
+    let rays = rays(&triangles, 45);
+    let structure = |id: &str| (kind(id).unwrap().build)(&triangles);
+    let mut search = Search::new(LEAVES[0](&triangles));
+    let surface = structure("surface");
+    let expected: Vec<_> = rays.iter().map(|ray| search.nearest(surface.as_ref(), ray)).collect();
+    let hits = expected.iter().flatten().count() as u64;
+    for any in [false, true] {
+        let mut job = StructureJob::new(structure("surface"), LEAVES[0](&triangles), &rays, any);
+        let whole = Block::whole(&job);
+        let once = job.run(whole);
+        assert_eq!(once.hits, hits);
+        assert_eq!(job.run(Block { repeats: 3, ..whole }), once.times(3));
+        assert_eq!(job.run(Block { repeats: 3, literal: true, ..whole }), once.times(3));
+        job.permute(&Pcg::new(1).permutation(45));
+        assert_eq!(job.run(whole), once);
+        assert_eq!((job.counts().rays, job.counts().hits), (45, hits));
+        let found = job.answers();
+        assert!(
+            found.iter().map(|one| one.triangle.is_some()).eq(expected.iter().map(Option::is_some))
+        );
+        assert!(job.bytes().iter().all(|bytes| *bytes > 0));
+    }
+}
+
+#[test]
+fn structures_take_scenes_of_any_size_and_many_copies() {
+    let soup = soup(60, 0.5);
+    let scaled = |scale: f32| -> Vec<Triangle> {
+        let one =
+            |one: &Triangle| Triangle { a: one.a * scale, b: one.b * scale, c: one.c * scale };
+        soup.iter().map(one).collect()
+    };
+    let copies = vec![soup[0]; 2000];
+    let point = Triangle { a: Vec3::ONE, b: Vec3::ONE, c: Vec3::ONE };
+    let points = vec![point; 2000];
+    let mut hits = 0;
+    for triangles in [scaled(1e-36), scaled(1e-18), scaled(1e18), scaled(1e36), copies, points] {
+        hits += agree(&triangles, &rays(&triangles, 18)).hits;
+    }
+    // Kernels in f32 find little there; what counts is that every structure is built and walked.
+    assert!(hits > 0);
 }

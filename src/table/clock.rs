@@ -28,6 +28,7 @@ pub const CLOCK_COLUMNS: &[&str] = &[
     "mispredicts_per_test",
     "seconds",
     "percent_slower",
+    "seconds_mean",
     "price",
     "price_low",
     "price_high",

@@ -5,11 +5,15 @@ use std::path::Path;
 
 /// Writes rows with one header line. Numbers keep their full precision, missing values are empty.
 pub fn write_csv(path: &Path, rows: &[Row]) -> Result<(), TableError> {
-    let bytes = to_bytes(rows).map_err(|error| syntax(path, 0, &error))?;
+    let bytes = csv_bytes(rows).map_err(|error| syntax(path, 0, &error))?;
     write_atomically(path, &bytes)
 }
 
-fn to_bytes(rows: &[Row]) -> Result<Vec<u8>, csv::Error> {
+/// The text of `rows.csv`.
+///
+/// # Errors
+/// None that is known: the text is kept in memory.
+pub fn csv_bytes(rows: &[Row]) -> Result<Vec<u8>, csv::Error> {
     let mut bytes = Vec::new();
     let mut writer = csv::Writer::from_writer(&mut bytes);
     writer.write_record(COLUMNS)?;

@@ -8,22 +8,28 @@ mod clock;
 mod columns;
 mod csv;
 mod file;
+mod interval;
 mod journal;
 #[cfg(test)]
 mod journal_tests;
 mod json;
 mod key;
+mod naming;
+mod rounds;
 mod row;
 #[cfg(test)]
 mod tests;
 
-pub use self::csv::{read_csv, write_csv};
+pub use self::csv::{csv_bytes, read_csv, write_csv};
 pub use cell::Cell;
 pub use clock::CLOCK_COLUMNS;
 pub use file::{remove_partial_files, write_atomically};
+pub use interval::{has_interval, interval};
 pub use journal::{Header, Journal, Journaled, read_journal};
 pub use json::{RunFile, SCHEMA_VERSION, read_json, write_json};
 pub use key::RunKey;
+pub use naming::{SETTING_COLUMNS, SUBJECT_COLUMNS};
+pub use rounds::{Round, RoundsFile, read_rounds};
 pub use row::{COLUMNS, REQUIRED, Row};
 
 use std::io;

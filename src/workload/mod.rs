@@ -18,12 +18,17 @@ mod triangle;
 
 pub use error::WorkloadError;
 pub use nearest::{Kind, NearestSet, NearestSpec, random_pair};
-pub(crate) use nearest::{on_sphere, ray};
 pub use pairs::{PairSpec, Pairs, QueryKind, Winding};
 pub use points::{PointSet, PointSpec};
 pub use random::{Generator, Msvc, Pcg, Source, Unit};
 pub use ray::Ray;
-pub(crate) use settled::aspect;
 pub use thesis::draw_pairs;
-pub(crate) use thesis::{length, normalised};
 pub use triangle::Triangle;
+
+// What meshes and their rays are made with, too.
+#[cfg(feature = "cli")]
+pub(crate) use {
+    nearest::{on_sphere, ray},
+    settled::aspect,
+    thesis::normalised,
+};

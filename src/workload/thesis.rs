@@ -42,7 +42,7 @@ pub(super) fn point(source: &mut impl Unit) -> Vec3 {
 }
 
 /// Length in f32, by plain sums and a square root (a vector type's own may fuse or reorder).
-pub(crate) fn length(v: Vec3) -> f32 {
+pub(super) fn length(v: Vec3) -> f32 {
     (v.x * v.x + v.y * v.y + v.z * v.z).sqrt()
 }
 

@@ -105,7 +105,7 @@ fn kernels_and_precisions_are_chosen_by_words() {
         .iter()
         .map(|row| (row.cell("kernel").to_owned(), row.cell("precision").to_owned()))
         .collect();
-    if cfg!(target_arch = "x86_64") {
+    if cfg!(any(target_arch = "x86", target_arch = "x86_64")) {
         let pair = |kernel: &str, precision: &str| (kernel.to_owned(), precision.to_owned());
         assert_eq!(found, [pair("keidy", "f32"), pair("keidy", "f64"), pair(form, "f64")]);
         let wrong = ["-", "--kernels", form, "--precision", "f32"];

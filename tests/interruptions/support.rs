@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-use ray_test::table::{Row, read_csv, read_journal, read_json};
+use ray_test::table::{Row, read_csv, read_journal, read_json, read_rounds};
 
 /// The experiments: id, variants, workload. Of each kind that has pieces of its own, one.
 const EXPERIMENTS: [(&str, &str, &str); 4] = [
@@ -104,7 +104,18 @@ impl Place {
         for file in files(&self.path(out)) {
             let extension = file.extension().and_then(|text| text.to_str()).unwrap_or("");
             match extension {
-                "csv" => drop(read_csv(&file).expect("a whole table")),
+                "csv" if file.ends_with("rounds.csv") => {
+                    drop(read_rounds(&file).expect("rounds that can be read"));
+                }
+                "csv" if file.ends_with("rows.csv") => {
+                    drop(read_csv(&file).expect("a whole table"));
+                }
+                "toml" => {
+                    let text = fs::read_to_string(&file).expect("it can be read");
+                    text.parse::<toml::Table>().expect("a whole experiment");
+                }
+                // What is made of the rows at the end, written as a whole.
+                "csv" | "svg" | "html" | "md" => {}
                 "ndjson" => {
                     let journal = read_journal(&file).expect("a journal that can be read");
                     let pieces = journal.expect("it is there").pieces;

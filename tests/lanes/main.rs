@@ -160,7 +160,7 @@ fn fused<K: Offers, L: Level, R: Real<Element: Precision> + On<L>>(law: &mut Law
 }
 
 /// Every width that the registry builds, at the level that has it.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn kernel<K: Offers>(law: &mut Law) {
     use fearless_simd::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
     use ray_test::level::{Avx2, Avx512, Sse2, Sse42};

@@ -2,8 +2,8 @@
 
 use crate::chart::ChartError;
 use crate::chart::figure::Figure;
-use crate::chart::select::{Selection, interval, joined};
-use crate::table::{Cell, Row};
+use crate::chart::select::{Selection, joined};
+use crate::table::{Cell, Row, interval};
 
 /// More than this many times the time of the front at the same error, in the same precision, and a
 /// point is set apart instead of stretching the axis for all.
@@ -13,7 +13,7 @@ const FAR_ERROR: f64 = 100.0;
 
 /// What is to be thought of a point.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Standing {
+pub enum Standing {
     /// No other of the same precision is surely better.
     Front,
     /// Some other of the same precision is surely better.
@@ -24,16 +24,22 @@ pub(super) enum Standing {
 
 /// An error and a time.
 #[derive(Clone, Debug)]
-pub(super) struct Dot {
+pub struct Dot {
+    /// Which small multiple; empty if there is only one.
     pub panel: String,
+    /// Which series.
     pub name: String,
+    /// `f32` or `f64`.
     pub precision: String,
+    /// The error.
     pub error: f64,
     /// Two more quantiles of the same error, or the error itself.
     pub errors: (f64, f64),
+    /// The time.
     pub time: f64,
     /// Its interval.
     pub times: (f64, f64),
+    /// Whether it is on the front.
     pub standing: Standing,
 }
 
@@ -166,15 +172,18 @@ fn standing(dot: &Dot, dots: &[Dot]) -> Standing {
 
 /// The steps of the front: from the fastest point on, each next one is slower and errs less.
 pub(super) fn steps(dots: &[&Dot]) -> Vec<(f64, f64)> {
-    let mut order: Vec<&&Dot> = dots.iter().collect();
+    on_steps(dots).iter().map(|dot| (dot.error, dot.time)).collect()
+}
+
+/// The points at those steps.
+pub fn on_steps<'a>(dots: &[&'a Dot]) -> Vec<&'a Dot> {
+    let mut order: Vec<&Dot> = dots.to_vec();
     order.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.error.total_cmp(&b.error)));
     let mut least = f64::INFINITY;
-    let mut steps = Vec::new();
-    for dot in order {
-        if dot.error < least {
-            least = dot.error;
-            steps.push((dot.error, dot.time));
-        }
-    }
-    steps
+    order.retain(|dot| {
+        let errs_less = dot.error < least;
+        least = least.min(dot.error);
+        errs_less
+    });
+    order
 }

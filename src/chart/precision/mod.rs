@@ -21,7 +21,9 @@ mod panel;
 mod placing;
 mod scale;
 
-use self::dot::{Dot, Standing, Without, dots};
+pub use self::dot::{Dot, Standing, on_steps};
+
+use self::dot::{Without, dots};
 use self::panel::Area;
 use self::scale::Errors;
 use super::axis::Axis;
@@ -76,6 +78,12 @@ pub(super) fn draw(figure: &Figure, rows: &[Row]) -> Result<String, ChartError> 
     let notes = notes(figure, &selection, &plan, &without);
     let (bottom, description) = (frame.top - 12.0, described(figure, &plan, &y_title));
     frame.close(figure, bottom, &notes, &description)
+}
+
+/// The points, those far behind the others included.
+pub(super) fn values(figure: &Figure, rows: &[Row]) -> Result<Vec<Dot>, ChartError> {
+    let selection = Selection::new(figure, rows)?;
+    Ok(dots(figure, &selection, rows)?.0)
 }
 
 fn plan(dots: Vec<Dot>) -> Result<Plan, ChartError> {

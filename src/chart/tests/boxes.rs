@@ -78,7 +78,7 @@ pub fn texts(svg: &str) -> Vec<TextBox> {
             let number = |name| attribute(&tag, name).unwrap().parse::<f64>().unwrap();
             let (x, y, size) = (number("x"), number("y"), number("font-size"));
             let (width, half) = (0.58 * size * words.chars().count() as f64, size / 2.0);
-            let left = match attribute(&tag, "text-anchor").unwrap() {
+            let left = match attribute(&tag, "text-anchor").unwrap_or("start") {
                 "start" => x,
                 "middle" => x - width / 2.0,
                 "end" => x - width,

@@ -136,6 +136,13 @@ fn dirty_rounds_are_dropped_whole_counted_and_run_again() {
     let report = measure_with(&mut group, &fixed, &script, &mut disturbance, &mut progress, &never);
     assert_eq!((report.rounds, report.dirty_rounds), (20, 2));
     assert!(report.figures.iter().all(|f| f.samples.len() == 20 && f.dirty_rounds == 2));
+    let dirty =
+        |(place, round): (usize, &RoundTrace)| (round.state == RoundState::Dirty).then_some(place);
+    let dirty: Vec<usize> = report.trace.iter().enumerate().filter_map(dirty).collect();
+    assert_eq!((report.trace.len(), dirty), (22, vec![3, 6]));
+    assert!(report.trace.iter().all(|round| round.reference_ns_per_test == Some(4.0)));
+    assert!(report.trace.is_sorted_by(|one, next| one.at_ns < next.at_ns));
+    assert_eq!(report.trace.last().map(|round| round.at_ns), Some(script.clock.time().get()));
     assert_eq!(last, Progress { done_blocks: 110, total_blocks: 110 });
 }
 

@@ -243,12 +243,15 @@ fn blocks_beside_a_neighbour_are_run_again() {
     // Eight attempts at a block, and the round is dropped.
     let (crowded, _) = beside(40..56);
     assert_eq!((crowded.rounds, crowded.dirty_rounds, crowded.crowded_share), (19, 1, 0.0));
+    let of = |state| crowded.trace.iter().filter(|round| round.state == state).count();
+    assert_eq!([RoundState::Clean, RoundState::Crowded].map(of), [19, 1]);
 }
 
 #[test]
 fn a_neighbour_who_stays_is_told_of_and_no_endless_wait() {
     let (crowded, readings) = beside(0..usize::MAX);
     assert_eq!((crowded.rounds, crowded.dirty_rounds, crowded.crowded_share), (20, 0, 1.0));
+    assert!(crowded.trace.iter().all(|round| round.state == RoundState::Crowded));
     // The blocks, and five quarters of them again.
     assert_eq!(readings, 2 * (80 + 100));
 }

@@ -66,7 +66,7 @@ fn build(cells: u32) -> (Shape, Option<View>) {
         shape.triangles.extend([[a, b, c], [a, c, d]]);
     }
     let view = View {
-        eye: Vec3::new(-1.5, -2.0, 1.5),
+        eye: Vec3::new(-2.0, -2.5, 2.0),
         target: Vec3::ZERO,
         up: Vec3::Z,
         light: Vec3::new(2.0, -1.0, 3.0),

@@ -1,6 +1,7 @@
 //! How large a mesh is and where.
 
 use super::shapes::Shapes;
+use crate::number::Precision;
 use crate::scene::mesh::Mesh;
 use serde::Serialize;
 
@@ -37,7 +38,7 @@ impl Extent {
         let bounds = mesh.bounds();
         let (diagonal, farthest) = (bounds.diagonal(), bounds.largest_coordinate());
         let offset = bounds.centre().length();
-        let ulp = ulp(farthest as f32);
+        let ulp = Precision::F32.ulp(farthest, 0.0);
         let (edge, height) = (shapes.edge.smallest, shapes.height.smallest);
         Extent {
             lowest: bounds.lowest.to_array(),
@@ -52,11 +53,4 @@ impl Extent {
             size_over_height: height.map(|height| diagonal / height),
         }
     }
-}
-
-/// Distance from a finite, not negative number to the next larger one of its exponent.
-fn ulp(x: f32) -> f64 {
-    let exponent = x.to_bits() >> 23;
-    // Subnormal numbers are spaced as the smallest normal ones are.
-    2.0f64.powi(exponent.max(1) as i32 - 127 - 23)
 }

@@ -1,11 +1,10 @@
 //! What rays look like, without following them.
 
+use crate::number::Precision;
 use crate::scene::bounds::Bounds;
 use crate::workload::Ray;
 use serde::Serialize;
 
-/// Unit roundoff of f32.
-const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
 /// Dividing a vector by its length in f32 leaves a length of 1 within so many unit roundoffs: the
 /// squares and their sum round thrice, halved by the root, which rounds once more, as the division
 /// does: 3.5 to first order.
@@ -55,7 +54,8 @@ impl RayLooks {
         let other_origins = count(&|ray| first.is_some_and(|f| f.origin != ray.origin));
         let other_directions = count(&|ray| first.is_some_and(|f| f.direction != ray.direction));
         let length_error = |ray: &Ray| (ray.direction.as_dvec3().length() - 1.0).abs();
-        let length_error = rays.iter().map(length_error).fold(0.0, f64::max) / UNIT_ROUNDOFF;
+        let length_error =
+            rays.iter().map(length_error).fold(0.0, f64::max) / Precision::F32.unit_roundoff();
         let finite_ends = count(&|ray| ray.t_max < f32::MAX);
         let moved_starts = count(&|ray| ray.t_min != 0.0);
         let origins_outside = count(&|ray| !bounds.holds(ray.origin));

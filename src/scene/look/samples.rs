@@ -1,5 +1,6 @@
 //! Some rays, followed to the triangle that they meet, and looked at exactly.
 
+use crate::number::Precision;
 use crate::oracle::{Class, Query, excusable, solve};
 use crate::scene::mesh::Mesh;
 use crate::workload::Ray;
@@ -7,8 +8,6 @@ use serde::Serialize;
 
 /// So many rays are followed, spread evenly over all.
 pub const MOST_SAMPLES: usize = 10_000;
-/// Unit roundoff of f32.
-const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
 
 /// Of some rays.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -40,6 +39,7 @@ impl Samples {
     ) -> Self {
         let mut samples = Samples::default();
         let (mut edges, mut near, mut backs) = (0u64, 0u64, 0u64);
+        let unit_roundoff = Precision::F32.unit_roundoff();
         let count = rays.len().min(MOST_SAMPLES);
         for sample in 0..count {
             let ray = &rays[sample * rays.len() / count];
@@ -51,7 +51,7 @@ impl Samples {
             samples.hits += 1;
             edges += u64::from(matches!(exact.class, Class::Edge | Class::Vertex));
             // A hit that the exact answer denies is excused by nothing but rounding.
-            let is_near = !exact.class.is_hit() || excusable(&query, &exact, UNIT_ROUNDOFF, false);
+            let is_near = !exact.class.is_hit() || excusable(&query, &exact, unit_roundoff, false);
             near += u64::from(is_near);
             let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|p| p.as_dvec3());
             let (normal, direction) = ((b - a).cross(c - a), ray.direction.as_dvec3());

@@ -1,5 +1,6 @@
 //! The parts of a mesh that hang together, and what they enclose.
 
+use crate::number::Precision;
 use glam::DVec3;
 
 /// A part whose triangles hang together by their vertices.
@@ -36,7 +37,7 @@ pub(super) fn shells(triangles: &[[u32; 3]], at: &[DVec3]) -> Vec<Shell> {
     for shell in &mut shells {
         // Each of the six products of a triangle rounds at most 3 + 2 + 1 + 2 times (as the oracle's
         // filter says of a determinant), and is summed over all triangles.
-        let unit_roundoff = f64::EPSILON / 2.0;
+        let unit_roundoff = Precision::F64.unit_roundoff();
         shell.error = (8.0 + shell.terms) * unit_roundoff * shell.permanent;
     }
     shells

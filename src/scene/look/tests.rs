@@ -186,6 +186,35 @@ fn ray(origin: [f32; 3], direction: [f32; 3]) -> Ray {
     Ray { origin, direction, end: origin + direction, t_min: 0.0, t_max: f32::MAX }
 }
 
+#[test]
+fn backs_are_hidden_only_where_that_is_certain() {
+    let outside = ray([1.0, 1.0, -1.0], [0.0, 0.0, 1.0]);
+    let hides =
+        |mesh: &Mesh, ray: Ray| Looks::of(mesh).with_rays(mesh, &[ray], |_| None).hides_backs();
+    let closed = tetrahedron();
+    assert!(hides(&closed, outside));
+    assert!(!Looks::of(&closed).hides_backs(), "nothing is known of rays");
+    assert!(!hides(&closed, ray([1.0, 1.0, 1.0], [0.0, 0.0, 1.0])), "it starts inside the box");
+    assert!(!hides(&closed, Ray { t_min: 1.5, ..outside }), "it starts behind a front");
+    assert!(!hides(&closed, Ray { t_min: -9.0, ..outside }), "it is a line");
+    for spoil in [0, 1, 2] {
+        let mut mesh = tetrahedron();
+        match spoil {
+            0 => drop(mesh.triangles.pop()),
+            1 => mesh.triangles[3].swap(0, 1),
+            _ => mesh.triangles.iter_mut().for_each(|triangle| triangle.swap(0, 1)),
+        }
+        assert!(!hides(&mesh, outside), "{spoil}");
+    }
+    // A second shell beside it, turned inside out.
+    let mut two = tetrahedron();
+    two.vertices.extend(CORNERS.map(|corner| Vec3::from(corner) + Vec3::splat(9.0)));
+    two.triangles.extend(SIDES.map(|[a, b, c]| [b + 4, a + 4, c + 4]));
+    assert!(!hides(&two, outside));
+    two.triangles[4..].iter_mut().for_each(|triangle| triangle.swap(0, 1));
+    assert!(hides(&two, outside));
+}
+
 fn seen(rays: &[Ray]) -> (RayLooks, Samples) {
     let mesh = tetrahedron();
     let list = mesh.list();

@@ -85,10 +85,12 @@ pub fn read(file: &str, bytes: Vec<u8>) -> Result<Mesh, ReadError> {
     }
 }
 
-/// Text for a message: the first line of what a loader says, not too long.
+/// Text for a message: the first line of what a loader says, not too long, without what a terminal
+/// would take for a command.
 pub(super) fn shortened(text: &str) -> String {
     const LONGEST: usize = 120;
-    let line = text.lines().next().unwrap_or_default();
-    let short: String = line.chars().take(LONGEST).collect();
+    let line = text.lines().next().unwrap_or_default().trim_end_matches('.');
+    let visible = line.chars().map(|c| if c.is_control() { '?' } else { c });
+    let short: String = visible.take(LONGEST).collect();
     if short.len() < line.len() { format!("{short}...") } else { short }
 }

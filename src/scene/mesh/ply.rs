@@ -5,7 +5,7 @@ use super::Mesh;
 use super::build::Builder;
 use super::load::shortened;
 use crate::check::read::ReadError;
-use ply_rs_bw::parser::{Parser, Reader};
+use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
     ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType,
     ScalarType,
@@ -15,6 +15,9 @@ use ply_rs_bw::ply::{
 const LONGEST_HEADER: usize = 1 << 16;
 /// Longest line of the text form, bytes.
 const LONGEST_LINE: usize = 1 << 20;
+/// What its lines may be.
+const HEADER: &str = "allowed: 'ply', then 'format', 'comment', 'obj_info', 'element' and \
+                      'property', then 'end_header'";
 const END: &[u8] = b"end_header";
 /// Both names are in use.
 const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
@@ -66,7 +69,8 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, ReadError> {
     let header = parser.read_header(&mut reader).map_err(|error| {
         let line = error.line().unwrap_or(1) as u64;
         let (file, place) = (file.to_owned(), String::new());
-        ReadError::Line { file, line, place, message: shortened(&error.to_string()) }
+        let message = format!("{}; {HEADER}", words(&error));
+        ReadError::Line { file, line, place, message }
     })?;
     // The reader counts the line behind the header as begun.
     let line = reader.line().saturating_sub(1) as u64;
@@ -168,7 +172,7 @@ impl Body<'_> {
         let item = self.parser.read_ascii_element(text.trim_ascii_end(), element);
         item.map_err(|error| {
             let values = element.properties.keys().cloned().collect::<Vec<_>>().join(" ");
-            let error = shortened(&error.to_string());
+            let error = words(&error);
             format!("{error}; allowed: '{values}', numbers such as 1, 0.5 or -2e3")
         })
     }
@@ -182,9 +186,7 @@ impl Body<'_> {
             _ => self.parser.read_little_endian_element(&mut self.rest, element),
         };
         let count = element.count;
-        item.map_err(|error| {
-            format!("{}; allowed: {count} whole ones", shortened(&error.to_string()))
-        })
+        item.map_err(|error| format!("{}; allowed: {count} whole ones", words(&error)))
     }
 
     fn bad(&self, element: &ElementDef, index: usize, message: String) -> ReadError {
@@ -196,6 +198,13 @@ impl Body<'_> {
         }
         ReadError::Whole { file, message: format!("{name} {index}: {message}") }
     }
+}
+
+/// What the loader says, without the line, which is said elsewhere.
+fn words(error: &ParseError) -> String {
+    let text = error.to_string();
+    let line = error.line().map(|line| format!("Line {line}: ")).unwrap_or_default();
+    shortened(text.strip_prefix(&line).unwrap_or(&text))
 }
 
 /// A scalar, exactly.

@@ -5,6 +5,7 @@
 //! alone, faces without what stands behind a slash, and this file keeps the place.
 
 use super::Dropped;
+use std::borrow::Cow;
 use std::io::{self, BufRead, Read};
 
 /// Longest line, bytes.
@@ -65,19 +66,18 @@ impl<'a> Sieve<'a> {
     }
 
     /// Writes a vertex, without its colour: the loader wants all of them to have one, or none.
-    fn vertex<'w>(&mut self, words: impl Iterator<Item = &'w [u8]>) {
-        let words: Vec<&[u8]> = words.collect();
-        let has_colour = words.len() == 6;
+    fn vertex<'w>(&mut self, words: impl Iterator<Item = &'w [u8]> + Clone) {
+        let count = words.clone().count();
         self.line.push(b'v');
-        for word in if has_colour { &words[..3] } else { &words } {
+        for word in words.take(if count == 6 { 3 } else { count }) {
             self.line.push(b' ');
-            self.line.extend(*word);
+            self.line.extend(word);
         }
     }
 
     /// The next line, with those that it goes on in.
-    fn joined(&mut self) -> Result<Vec<u8>, String> {
-        let mut text = Vec::new();
+    fn joined(&mut self) -> Result<Cow<'a, [u8]>, String> {
+        let mut text = Cow::Borrowed(&[] as &[u8]);
         loop {
             let end = self.rest.iter().position(|byte| *byte == b'\n');
             let (line, rest) = self.rest.split_at(end.map_or(self.rest.len(), |end| end + 1));
@@ -86,10 +86,12 @@ impl<'a> Sieve<'a> {
             if text.len() + line.len() > LONGEST {
                 return Err(format!("allowed: lines of at most {LONGEST} bytes"));
             }
-            match line.trim_ascii_end().strip_suffix(b"\\") {
-                Some(begun) if !rest.is_empty() => text.extend(begun),
+            let line = line.trim_ascii_end();
+            match line.strip_suffix(b"\\") {
+                Some(begun) if !rest.is_empty() => text.to_mut().extend(begun),
+                _ if text.is_empty() => return Ok(Cow::Borrowed(line)),
                 _ => {
-                    text.extend(line.trim_ascii_end());
+                    text.to_mut().extend(line);
                     return Ok(text);
                 }
             }
@@ -116,10 +118,10 @@ impl Seen {
                 }
                 Some(number) if number < 0 && number >= -count => {}
                 _ => {
-                    let word = String::from_utf8_lossy(&index[..index.len().min(20)]);
+                    let word = index[..index.len().min(20)].escape_ascii();
                     return Err(format!(
-                        "'{word}' is no vertex; allowed: 1 to the number of vertices, or -1 to \
-                         -{count}, counted back from here"
+                        "'{word}' is no vertex; allowed: 1 to the number of vertices, or -1 and \
+                         below to count back, here from {count}"
                     ));
                 }
             }

@@ -10,7 +10,7 @@ use super::stl_lines::Lines;
 use crate::check::read::ReadError;
 use crate::scene::weld::Weld;
 use std::cell::Cell;
-use std::io::Cursor;
+use std::io::{self, Cursor};
 
 /// A name, which nothing reads.
 const HEADER: usize = 80;
@@ -18,6 +18,10 @@ const HEADER: usize = 80;
 const START: usize = HEADER + 4;
 /// Normal and three vertices as f32, and two bytes that nothing reads.
 const TRIANGLE: u64 = 50;
+
+/// What the lines of a text may be.
+const FACETS: &str = "allowed: 'facet normal x y z', 'outer loop', three times 'vertex x y z' with \
+                      finite numbers, 'endloop', 'endfacet', and at last 'endsolid'";
 
 /// The length that the header of a binary file announces, bytes.
 pub(super) fn announced(bytes: &[u8]) -> Option<u64> {
@@ -58,16 +62,19 @@ pub(super) fn read_ascii(file: &str, bytes: &[u8]) -> Result<Mesh, ReadError> {
     let number = Cell::new(0);
     let bad = |message: String| {
         let (file, place) = (file.to_owned(), String::new());
-        ReadError::Line { file, line: number.get(), place, message: shortened(&message) }
+        ReadError::Line { file, line: number.get(), place, message }
     };
+    let unlike = |error: io::Error| bad(format!("{}; {FACETS}", shortened(&error.to_string())));
     let mut solids = Solids::default();
     let mut rest = bytes;
     while !rest.trim_ascii_start().is_empty() {
-        let mut lines = Lines::new(rest, &number);
+        let Some(mut lines) = Lines::new(rest, &number) else {
+            return Err(bad("allowed: 'solid' and a name, or a binary file".into()));
+        };
         let reader = stl_io::create_stl_reader(&mut lines);
-        let triangles = reader.map_err(|error| bad(error.to_string()))?;
+        let triangles = reader.map_err(unlike)?;
         for triangle in triangles {
-            let triangle = triangle.map_err(|error| bad(error.to_string()))?;
+            let triangle = triangle.map_err(unlike)?;
             solids.add(&triangle).map_err(bad)?;
         }
         let rounded = lines.rounded;

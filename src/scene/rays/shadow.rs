@@ -12,10 +12,12 @@ pub(super) fn towards(light: Vec3, spots: &Spots) -> Rays {
     Rays { rays, unseen: spots.unseen, dark, light: Some(light) }
 }
 
+/// A ray from a spot to a light, `None` where the spot faces away or is nearer than rounding.
+///
 /// It ends as far before the light as it starts off the surface, so that a lamp's own surface
 /// through the light's point is not met. The direction is rounded: at the light, the ray misses it
 /// by less than sqrt(3) unit roundoffs of the distance, which is part of the same margin.
-fn ray(spot: &Spot, light: Vec3) -> Option<Ray> {
+pub fn ray(spot: &Spot, light: Vec3) -> Option<Ray> {
     let way = light.as_dvec3() - spot.start.as_dvec3();
     let distance = way.length();
     let t_max = (distance - offset([light, spot.start])) as f32;

@@ -1,5 +1,6 @@
 //! A point just above the surface, where a next ray may start.
 
+use crate::number::Precision;
 use crate::workload::{Ray, Triangle};
 use glam::{DVec3, Vec3};
 
@@ -11,8 +12,6 @@ use glam::{DVec3, Vec3};
 /// listings that compare t with an epsilon need thousands or more, and no offset in proportion to
 /// rounding helps them.
 pub const OFFSET: f64 = 64.0;
-/// Unit roundoff of f32.
-const UNIT_ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
 
 /// A point off a triangle, on the side that a ray came from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,5 +43,5 @@ impl Spot {
 /// [`OFFSET`] for these points, as a length.
 pub(super) fn offset<const COUNT: usize>(points: [Vec3; COUNT]) -> f64 {
     let largest = points.map(|point| point.abs().max_element()).into_iter().fold(0.0, f32::max);
-    OFFSET * UNIT_ROUNDOFF * f64::from(largest)
+    OFFSET * Precision::F32.unit_roundoff() * f64::from(largest)
 }

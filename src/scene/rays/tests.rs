@@ -38,9 +38,18 @@ fn a_camera_sees_the_whole_mesh() {
             }
             // And not much more: a ball of twice the radius does not fit.
             let bounds = mesh.bounds();
-            let ends = mesh.vertices.iter().map(|v| (bounds.centre() * -1.0 + v.as_dvec3() * 2.0));
+            let ends = mesh.vertices.iter().map(|v| v.as_dvec3() * 2.0 - bounds.centre());
             assert!(!ends.map(|end| end.as_vec3()).all(|end| camera.sees(end)), "{text}");
         }
+    }
+}
+
+#[test]
+fn scenes_that_choose_their_view_are_in_it() {
+    for text in ["cornell-box:1", "terrain:16"] {
+        let mesh = scene(text);
+        let camera = Camera::new(&view(&mesh), 9, 9);
+        assert!(mesh.vertices.iter().all(|vertex| camera.sees(*vertex)), "{text}");
     }
 }
 
@@ -92,8 +101,10 @@ fn shadow_rays_leave_their_triangle_and_end_before_the_light() {
             let end = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(ray.t_max);
             let gap = end.distance(light.as_dvec3());
             let margin = spot::offset([light, ray.origin]);
-            // It ends before the light by the margin, give or take what the direction is rounded.
-            assert!(gap > margin / 2.0 && gap < margin * 2.0, "{text} {gap} {margin}");
+            // By the margin, give or take what rounding t_max (one unit roundoff of the distance)
+            // and the direction (sqrt(3) of them) move the end: 2.8 u times at most sqrt(12) times the
+            // largest coordinate, where the margin is 64 u times that. A half is room enough.
+            assert!(gap > margin * 0.5 && gap < margin * 1.5, "{text} {gap} {margin}");
             assert_eq!((ray.t_min, ray.end), (0.0, light));
         }
         let looks = looks(&shadow, &mesh);
@@ -120,7 +131,7 @@ fn no_next_ray_meets_the_triangle_that_it_leaves() {
             assert!(first(&back).is_some(), "{text}: the surface is under the start");
             spots += 1;
         }
-        assert!(spots > 30, "{text} {spots}");
+        assert!(spots > 20, "{text} {spots}");
     }
 }
 

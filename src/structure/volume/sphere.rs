@@ -14,9 +14,7 @@ pub struct Sphere {
 /// What is prepared of a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Aim {
-    /// Length of the direction.
-    length: f64,
-    /// 1 / length.
+    /// 1 / length of the direction.
     inverse: f64,
 }
 
@@ -53,8 +51,7 @@ impl Volume for Sphere {
     #[inline(always)]
     fn aim(beam: &Beam) -> Aim {
         let [x, y, z] = beam.direction;
-        let length = (x * x + y * y + z * z).sqrt();
-        Aim { length, inverse: 1.0 / length }
+        Aim { inverse: 1.0 / (x * x + y * y + z * z).sqrt() }
     }
 
     /// In units of length along the ray: the centre is abreast at `along`, `beside` away, and half the

@@ -21,6 +21,8 @@ fn triangle(pcg: &mut Pcg, family: usize) -> Triangle {
         4 => stretched(Vec3::new(1.0, 0.0, 1.0)),
         5 => stretched(Vec3::new(1.0, 1e-6, 1e-3)),
         6 => [a, b, a + (b - a) * 0.999 + Vec3::splat(1e-7)],
+        // In one of the planes that slabs are made of, which goes through 0.
+        7 => [a, b, c].map(|v| (v * 64.0).round()).map(|v| Vec3::new(v.x, v.y, -v.x - v.y)),
         _ => [a, b, c].map(|v| (v * 3.0).round()),
     };
     Triangle { a, b, c }
@@ -46,11 +48,12 @@ fn ray(pcg: &mut Pcg, one: &Triangle, kind: usize) -> Ray {
         1 => target + along * size,
         2 => target + away * 1e5,
         3 => target + away * 1e-4,
+        5 => target + along * size * 1e12,
         _ => target,
     };
     let direction = match kind {
         // Zeros of both signs.
-        1 => -along * Vec3::new(3.0, 3.0, 3.0),
+        1 | 5 => -along * 3.0,
         4 => away,
         _ => target - origin,
     };
@@ -61,11 +64,11 @@ fn ray(pcg: &mut Pcg, one: &Triangle, kind: usize) -> Ray {
 /// Every ray that exactly hits must hit the volume, at an interval that holds the exact t.
 fn misses_nothing<V: Volume>() {
     let mut pcg = Pcg::new(11);
-    let mut hits = [0; 8];
-    for round in 0..12_000 {
-        let family = round % 8;
+    let mut hits = [0; 9];
+    for round in 0..16_000 {
+        let family = round % 9;
         let one = triangle(&mut pcg, family);
-        let ray = ray(&mut pcg, &one, round / 8 % 5);
+        let ray = ray(&mut pcg, &one, round / 9 % 6);
         let exact = solve(&Query::of(&ray, &one));
         let Some(beam) = Beam::of_ray(&ray) else { continue };
         if !exact.class.is_hit() {

@@ -1,9 +1,8 @@
 //! The triangles of a leaf, for a group test.
 
-use crate::batch::Aosoa;
-use crate::batch::Layout;
-use crate::kernels::{Corners, Kernel};
-use crate::number::Vec3;
+use crate::batch::{Aosoa, Layout};
+use crate::kernels::Kernel;
+use crate::structure::leaf::corners;
 use crate::workload::Triangle;
 
 use super::tree::{NOBODY, Wide};
@@ -11,7 +10,6 @@ use super::tree::{NOBODY, Wide};
 /// Records of all groups, number by number within a group; NaN, which nothing hits, where a group is not
 /// full.
 pub fn records<K: Kernel, const W: usize>(tree: &Wide<W>, triangles: &[Triangle]) -> Vec<f32> {
-    let vector = |v: glam::Vec3| Vec3(v.to_array());
     let places = size_of::<K::Record<f32>>() / size_of::<f32>();
     let count = tree.groups.len() * W;
     let mut numbers = vec![f32::NAN; count * places];
@@ -19,9 +17,8 @@ pub fn records<K: Kernel, const W: usize>(tree: &Wide<W>, triangles: &[Triangle]
         if *index == NOBODY {
             continue;
         }
-        let one = &triangles[*index as usize];
-        let corners = Corners { a: vector(one.a), b: vector(one.b), c: vector(one.c) };
-        for (place, number) in K::prepare(&corners).as_ref().iter().enumerate() {
+        let record = K::prepare(&corners(&triangles[*index as usize]));
+        for (place, number) in record.as_ref().iter().enumerate() {
             numbers[Aosoa::<W>::position(position, place, places, count)] = *number;
         }
     }

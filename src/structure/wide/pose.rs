@@ -79,7 +79,7 @@ pub fn meet_in_f64<const W: usize>(beam: &Beam, node: &Node<W>, limit: f64) -> (
     use crate::structure::volume::{Bounds, Volume};
 
     let (mut near, mut bits) = ([0.0; W], 0);
-    for place in 0..W {
+    for (place, near) in near.iter_mut().enumerate() {
         let plane = |row: usize| node.planes[row][place];
         let bounds =
             Bounds { low: [plane(0), plane(2), plane(4)], high: [plane(1), plane(3), plane(5)] };
@@ -87,7 +87,7 @@ pub fn meet_in_f64<const W: usize>(beam: &Beam, node: &Node<W>, limit: f64) -> (
             && let Some(enters) = bounds.hit(beam, &(), limit)
         {
             // Rounded down, so that it is not beyond.
-            near[place] = (enters as f32).next_down();
+            *near = (enters as f32).next_down();
             bits |= 1 << place;
         }
     }

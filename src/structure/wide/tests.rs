@@ -77,14 +77,14 @@ fn the_fast_path_answers_as_the_list_does() {
 
 #[test]
 fn scenes_far_away_and_of_all_sizes_are_walked() {
-    let moved = |by: f32, scale: f32| -> Vec<Triangle> {
-        let place = |p: Vec3| (p + Vec3::splat(by)) * scale;
-        let one = |one: &Triangle| Triangle { a: place(one.a), b: place(one.b), c: place(one.c) };
-        cube(3).iter().map(one).collect()
-    };
+    let (cube, rays) = (cube(3), rays(&cube(3), 180));
     for (by, scale) in [(1000.0, 1.0), (65_536.0, 1.0), (0.0, 1e-9), (0.0, 1e9)] {
-        let triangles = moved(by, scale);
-        all(&triangles, &rays(&triangles, 180), 20);
+        let moved = |p: Vec3| (p + Vec3::splat(by)) * scale;
+        let one = |one: &Triangle| Triangle { a: moved(one.a), b: moved(one.b), c: moved(one.c) };
+        let triangles: Vec<Triangle> = cube.iter().map(one).collect();
+        let one = |ray: &Ray| Ray { origin: moved(ray.origin), end: moved(ray.end), ..*ray };
+        let rays: Vec<Ray> = rays.iter().map(one).collect();
+        all(&triangles, &rays, 80);
     }
 }
 

@@ -3,11 +3,12 @@
 use super::group::records;
 use super::tree::Wide;
 use super::walk::{Batches, Waiting};
-use crate::batch::{Aligned, widened};
+use crate::batch::Aligned;
 use crate::job::{Answer, Block, Job, Tally};
 use crate::kernels::Kernel;
 use crate::policy::Ray;
-use crate::structure::{Hit, from_obvhs};
+use crate::structure::leaf::aimed;
+use crate::structure::{Hit, SearchJob, from_obvhs};
 use crate::workload::{self, Triangle};
 
 /// A compiled loop over a batch of rays.
@@ -26,12 +27,6 @@ pub struct WideJob<const W: usize> {
     run: WideLoop<W>,
 }
 
-/// A `t_min` below 0 counts as 0.
-fn posed(drawn: &workload::Ray) -> Ray<f32> {
-    let ray: Ray<f32> = widened(drawn);
-    Ray { t_min: ray.t_min.max(0.0), ..ray }
-}
-
 impl<const W: usize> WideJob<W> {
     /// The nearest hit of each ray, or with `any` whether there is one; `run` is that of kernel `K`.
     pub fn new<K: Kernel>(
@@ -46,17 +41,12 @@ impl<const W: usize> WideJob<W> {
             tree,
             original: rays.to_vec(),
             drawn: rays.to_vec(),
-            rays: rays.iter().map(posed).collect(),
+            rays: rays.iter().map(aimed).collect(),
             any,
             answers: vec![None; rays.len()],
             stack: Vec::new(),
             run,
         }
-    }
-
-    /// Bytes of the tree, and of the records.
-    pub fn bytes(&self) -> [usize; 2] {
-        [self.tree.bytes(), size_of_val::<[f32]>(&self.records)]
     }
 
     /// The tree.
@@ -74,6 +64,12 @@ impl<const W: usize> WideJob<W> {
             answers: &mut self.answers[first..][..items],
             stack: &mut self.stack,
         });
+    }
+}
+
+impl<const W: usize> SearchJob for WideJob<W> {
+    fn bytes(&self) -> [usize; 2] {
+        [self.tree.bytes(), size_of_val::<[f32]>(&self.records)]
     }
 }
 
@@ -122,13 +118,13 @@ impl<const W: usize> Job for WideJob<W> {
     fn permute(&mut self, permutation: &[u32]) {
         for (place, from) in permutation.iter().enumerate() {
             self.drawn[place] = self.original[*from as usize];
-            self.rays[place] = posed(&self.drawn[place]);
+            self.rays[place] = aimed(&self.drawn[place]);
         }
     }
 
     fn answers(&mut self) -> Vec<Answer> {
         self.drawn.clone_from(&self.original);
-        self.rays = self.drawn.iter().map(posed).collect();
+        self.rays = self.drawn.iter().map(aimed).collect();
         self.batch(0, self.rays.len());
         self.answers.iter().map(|hit| hit.map_or_else(Answer::default, Answer::from)).collect()
     }

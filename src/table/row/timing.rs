@@ -36,6 +36,8 @@ macro_rules! timing_columns {
             seconds: Option<f64>,
             /// (Mean of the kernel's row) / (smallest such mean) - 1, in percent.
             percent_slower: Option<f64>,
+            /// Mean of `seconds` over the densities, within each order.
+            seconds_mean: Option<f64>,
             /// Listings: the kind of operation that is priced.
             priced: String,
             /// What that kind of operation costs, as a share of the test's time.

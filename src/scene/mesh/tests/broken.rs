@@ -86,7 +86,7 @@ fn what_is_cut_short_is_refused_at_every_byte() {
                 break;
             }
             let text = refusal(file, &bytes[..length]);
-            assert!(text.contains("allowed") || text.contains(", line "), "{length}: {text}");
+            assert!(text.contains("allowed: "), "{length}: {text}");
         }
     }
     let mut bytes = stl_binary("");
@@ -156,6 +156,11 @@ fn lines_that_are_no_lines_of_the_format_are_named() {
     assert!(text.starts_with(&format!("a.stl, line {line}: ")), "{text}");
     let text = refusal("a.stl", stl_text("") + "\nmore\n");
     assert!(text.starts_with("a.stl, line "), "{text}");
+    let text = refusal("a.stl", "\n\nfacet\n");
+    assert_eq!(text, "a.stl, line 3: allowed: 'solid' and a name, or a binary file");
     let long = format!("v 0 0 0\nf {}", "1 ".repeat(1 << 20));
     assert_eq!(refusal("a.obj", long), "a.obj, line 2: allowed: lines of at most 1048576 bytes");
+    let long = format!("solid\nfacet {}", "1 ".repeat(1 << 20));
+    let text = refusal("a.stl", long);
+    assert!(text.starts_with("a.stl, line 2: the line has more than 1048576 bytes; allowed: "));
 }

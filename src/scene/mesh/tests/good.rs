@@ -87,3 +87,13 @@ fn the_extras_of_files_do_not_disturb() {
         .replace("0 0 0.5\n", "0 0 0.5 1\n");
     assert_eq!(read("a.ply", (extra + "7\n").into()).map(|m| m.triangles.len()).ok(), Some(4));
 }
+
+#[test]
+fn files_are_read_from_the_disk() {
+    let name = format!("ray_test-scene-{}.obj", std::process::id());
+    let path = std::env::temp_dir().join(name);
+    std::fs::write(&path, obj_text()).expect("the folder for temporary files can be written");
+    let mesh = crate::scene::mesh::load(path.to_str().expect("a plain name"));
+    std::fs::remove_file(&path).expect("it was written");
+    assert_eq!(mesh.map(|mesh| mesh.triangles.len()).ok(), Some(4));
+}

@@ -36,7 +36,7 @@ fn ply_text() -> String {
 fn ply_binary(big: bool) -> Vec<u8> {
     let mut bytes =
         ply_header(if big { "binary_big_endian" } else { "binary_little_endian" }).into_bytes();
-    let mut word = |bytes: &mut Vec<u8>, bits: u32| {
+    let word = |bytes: &mut Vec<u8>, bits: u32| {
         bytes.extend(if big { bits.to_be_bytes() } else { bits.to_le_bytes() });
     };
     for x in VERTICES.iter().flatten() {
@@ -44,7 +44,7 @@ fn ply_binary(big: bool) -> Vec<u8> {
     }
     for corners in TRIANGLES {
         bytes.push(3);
-        corners.map(|corner| word(&mut bytes, corner));
+        corners.iter().for_each(|corner| word(&mut bytes, *corner));
     }
     bytes
 }

@@ -1,0 +1,73 @@
+use super::*;
+use crate::chart::timeline;
+use crate::table::Round;
+
+/// A round of 0.1 s; its group's usual time is 4 ns.
+fn round(experiment: &str, number: u64, times: f64, state: &str) -> Round {
+    Round {
+        experiment: experiment.into(),
+        cell: "0 fixed".into(),
+        round: number,
+        at_s: 0.1 * number as f64,
+        reference_ns_per_test: Some(4.0 * times),
+        state: state.into(),
+    }
+}
+
+/// Forty experiments of which most are short, a neighbour, and an outlier.
+fn busy() -> Vec<Round> {
+    let mut rounds = Vec::new();
+    for number in 0..2000u64 {
+        let experiment = format!("experiment-{}", number * number / 100_000);
+        let times = 1.0 + 0.01 * (number % 7) as f64;
+        rounds.push(match number % 40 {
+            11 => round(&experiment, number, 1.3, "crowded"),
+            23 => round(&experiment, number, 2.9, "dirty"),
+            _ => round(&experiment, number, times, "clean"),
+        });
+    }
+    rounds
+}
+
+fn checked(rounds: &[Round]) -> String {
+    let svg = timeline(rounds).expect("it can be drawn");
+    if let Ok(folder) = std::env::var("RAY_TEST_FIGURES") {
+        std::fs::write(format!("{folder}/timeline-{}.svg", rounds.len()), &svg).expect("a folder");
+    }
+    boxes::check(&svg);
+    svg
+}
+
+#[test]
+fn a_busy_run_is_drawn_small_and_says_how_much_was_clean() {
+    let svg = checked(&busy());
+    // Of two thousand, fifty each were not.
+    let words = svg.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("95.0 %") && words.contains("2.5 %"), "{words}");
+    assert!(svg.contains("50 below 0.8 or above 1.5 stand at the edge"));
+    assert!(svg.len() < 400_000, "{}", svg.len());
+    assert_eq!(timeline(&busy()).ok(), Some(svg));
+}
+
+#[test]
+fn few_rounds_and_none_are_drawn_as_well() {
+    checked(&busy()[..1]);
+    // Without a clean round, the others tell what is usual.
+    let crowded = checked(&[round("h-4", 0, 1.0, "crowded"), round("h-4", 1, 1.0, "crowded")]);
+    assert!(crowded.contains("crowded (2)"));
+    let without = Round { reference_ns_per_test: None, ..round("h-4", 0, 1.0, "clean") };
+    for nothing in [&[][..], &[without]] {
+        assert!(checked(nothing).contains("Not drawn"));
+    }
+}
+
+#[test]
+fn groups_are_divided_by_their_own_median() {
+    let other = |number: u64| Round {
+        cell: "1 fixed".into(),
+        reference_ns_per_test: Some(400.0),
+        ..round("h-4", number, 1.0, "clean")
+    };
+    let both = [round("h-4", 0, 1.0, "clean"), round("h-4", 1, 1.0, "clean"), other(2), other(3)];
+    assert!(!checked(&both).contains("stand at the edge"));
+}

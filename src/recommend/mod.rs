@@ -1,0 +1,41 @@
+//! Stored rows -> the variant to take, the rows that say so, and what the next best costs.
+//!
+//! Only times of the same rays, triangles and order are held against each other ([`arena`]). What a
+//! variant can do beyond its rows comes from outside, as [`KnownVariant`]: nothing here can run one.
+
+mod answer;
+mod arena;
+mod because;
+mod candidates;
+mod evidence;
+mod place;
+mod preparing;
+mod question;
+mod settings;
+#[cfg(test)]
+mod tests;
+
+pub use answer::{Recommendation, recommend};
+pub use question::{KnownVariant, Needs, Question};
+
+/// Why nothing can be recommended.
+#[derive(Debug, thiserror::Error, PartialEq)]
+pub enum RecommendError {
+    /// The rows hold no time.
+    #[error(
+        "there are no times in {0}; allowed: a folder that `ray_test run` or `reproduce` wrote"
+    )]
+    NoTimes(String),
+    /// Nothing that was timed fits.
+    #[error(
+        "none of the {timed} variants timed in {folders} fits: {reasons}. Allowed: fewer demands, or rows of more variants"
+    )]
+    NothingFits {
+        /// Variants with times.
+        timed: usize,
+        /// Where they are from.
+        folders: String,
+        /// How many are left out for what reason.
+        reasons: String,
+    },
+}

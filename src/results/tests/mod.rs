@@ -1,0 +1,6 @@
+//! Folders as runs leave them, read back.
+
+mod broken;
+mod machines;
+mod shards;
+mod support;

@@ -1,0 +1,57 @@
+//! Which columns say what a row is about.
+
+use super::Row;
+
+/// Columns that say what was measured, besides the id.
+pub const SUBJECT_COLUMNS: [&str; 22] = [
+    "experiment",
+    "kernel",
+    "precision",
+    "drive",
+    "exit",
+    "division",
+    "rounding",
+    "output",
+    "layout",
+    "stored",
+    "cull",
+    "tests_form",
+    "reciprocal",
+    "edges",
+    "projection",
+    "leading",
+    "code",
+    "priced",
+    "err_against",
+    "record",
+    "family",
+    "ray_class",
+];
+
+/// Columns that say on what it was measured. One subject under other settings than before is not
+/// the same measurement.
+pub const SETTING_COLUMNS: [&str; 14] = [
+    "level",
+    "workload",
+    "order",
+    "density",
+    "spread",
+    "triangles",
+    "rays",
+    "generator",
+    "winding",
+    "query",
+    "repeats",
+    "seed",
+    "knob",
+    "rays_per_triangle",
+];
+
+impl Row {
+    /// The values of some columns as text; empty where there is none.
+    pub fn texts(&self, columns: &[&str]) -> Vec<String> {
+        let text =
+            |column: &&str| self.cell(column).map(|cell| cell.to_string()).unwrap_or_default();
+        columns.iter().map(text).collect()
+    }
+}

@@ -1,0 +1,79 @@
+//! `ray_test recommend` on the committed run: the contract's keys, and what is refused.
+#![cfg(feature = "cli")]
+
+use serde_json::Value;
+use std::process::{Command, Output};
+
+const FROM: [&str; 2] = ["--from", concat!(env!("CARGO_MANIFEST_DIR"), "/results/reference")];
+
+fn recommend(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ray_test"));
+    command.arg("recommend").args(arguments).output().unwrap()
+}
+
+fn answer(arguments: &[&str]) -> Value {
+    let arguments = [&FROM[..], &["--format", "json"], arguments].concat();
+    let output = recommend(&arguments);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn an_answer_has_a_variant_reasons_and_a_line_to_paste() {
+    let answer = answer(&[]);
+    assert!(answer["variant"].as_str().unwrap().split('/').count() >= 8);
+    assert!(answer["because"].as_array().unwrap().iter().all(Value::is_string));
+    assert!(answer["because"].as_array().unwrap().len() >= 3);
+    assert_ne!(answer["variant"], answer["runner_up"]);
+    assert!(answer["code"].as_str().unwrap().contains("Test::test::<Usual, "));
+}
+
+#[test]
+fn demands_show_in_the_answer() {
+    for precision in ["f32", "f64"] {
+        let answer = answer(&["--precision", precision]);
+        assert_eq!(answer["variant"].as_str().unwrap().split('/').nth(1), Some(precision));
+    }
+    let watertight = answer(&["--watertight"]);
+    assert!(watertight["variant"].as_str().unwrap().starts_with("woop-watertight/"));
+    // No f32 form errs by so little.
+    let exact = answer(&["--tolerance", "1e-12"]);
+    assert_eq!(exact["variant"].as_str().unwrap().split('/').nth(1), Some("f64"));
+    // The committed run may know nothing of preparing; then few rays get what prepares nothing.
+    let few = answer(&["--rays-per-triangle", "1"]);
+    assert!(few["because"].to_string().contains("1 ray per triangle"));
+}
+
+#[test]
+fn texts_have_at_most_a_hundred_columns_and_tables_one_line() {
+    let text = recommend(&FROM);
+    let text = String::from_utf8(text.stdout).unwrap();
+    let sentences = text.lines().skip_while(|line| *line != "because").skip(1);
+    let sentences: Vec<&str> = sentences.take_while(|line| !line.is_empty()).collect();
+    assert!(sentences.iter().all(|line| line.chars().count() <= 100), "{text}");
+    assert!(sentences.len() > 3, "{text}");
+    let table = recommend(&[&FROM[..], &["--format", "csv"]].concat());
+    let mut reader = csv::Reader::from_reader(table.stdout.as_slice());
+    assert_eq!(reader.headers().unwrap().get(0), Some("variant"));
+    assert_eq!(reader.records().count(), 1);
+}
+
+#[test]
+fn what_cannot_be_answered_is_refused() {
+    let nowhere = std::env::temp_dir().join("ray_test-no-such-run");
+    let refused: [(&[&str], &str); 6] = [
+        (&["--from", nowhere.to_str().unwrap()], "no-such-run"),
+        (&["--needs", "colour"], "colour"),
+        (&["--rays-per-triangle", "0"], "is not in 1.."),
+        (&["--tolerance", "-1"], "allowed: a number above 0"),
+        (&[FROM[0], FROM[1], "--tolerance", "1e-300"], "that err more"),
+        (&[FROM[0], FROM[1], "--precision", "f16"], "f16"),
+    ];
+    for (arguments, message) in refused {
+        let output = recommend(arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(said.contains(message), "{arguments:?}: {said}");
+    }
+}
