@@ -148,6 +148,9 @@ pub mod render;
 pub mod experiment;
 
 #[cfg(feature = "cli")]
+pub mod plan;
+
+#[cfg(feature = "cli")]
 pub mod doctor;
 
 #[cfg(feature = "cli")]

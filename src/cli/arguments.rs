@@ -10,6 +10,7 @@ use super::compare::Compare;
 use super::recommend::{self, Recommend};
 use super::render::{self, Render};
 use super::report::{self, Report};
+use super::scene::{self, Scene};
 use super::slips::slip;
 use super::stability::{self, Stability};
 use crate::experiment::Profile;
@@ -108,6 +109,9 @@ pub enum Verb {
     /// Put cases of your own through every kernel, against the exact answer
     #[command(after_help = check::HELP)]
     Check(Check),
+    /// Tell what a mesh and its rays need of a test, what can be left out, and what that saves
+    #[command(after_help = scene::HELP)]
+    Scene(Scene),
     /// Tell which variant to take, by stored rows
     #[command(after_help = recommend::HELP)]
     Recommend(Recommend),

@@ -74,6 +74,7 @@ impl Instruments {
         Bench {
             rounds,
             guards: true,
+            calls: true,
             patience: PATIENCE * (rounds / 64).max(1) as u32,
             clock: &mut self.clock,
             disturbance: &mut self.disturbance,

@@ -30,6 +30,8 @@ mod render_kernels;
 mod render_rows;
 mod report;
 mod rounds;
+mod scene;
+mod scene_text;
 mod shards;
 mod show;
 mod slices;
@@ -69,7 +71,10 @@ pub fn main() -> ExitCode {
 
 fn run(arguments: Arguments) -> Result<(), Failure> {
     let measures = |verb: &Verb| {
-        matches!(verb, Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Render(_))
+        matches!(
+            verb,
+            Verb::Run(_) | Verb::Reproduce(_) | Verb::Doctor(_) | Verb::Render(_) | Verb::Scene(_)
+        )
     };
     if arguments.verb.as_ref().is_none_or(measures) {
         addresses::settle();
@@ -84,6 +89,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Report(report)) => report::run(&report),
         Some(Verb::Stability(stability)) => stability::run(&stability),
         Some(Verb::Check(check)) => check::run(&check),
+        Some(Verb::Scene(scene)) => scene::run(&scene),
         Some(Verb::Recommend(recommend)) => recommend::run(&recommend),
         Some(Verb::Render(render)) => render::run(&render),
     }

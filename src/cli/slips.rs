@@ -37,6 +37,7 @@ pub fn slip(word: &str) -> Option<String> {
         "recommend",
         "render",
         "report",
+        "scene",
         "help",
     ];
     let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();

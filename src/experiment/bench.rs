@@ -21,6 +21,9 @@ pub struct Bench<'a> {
     pub rounds: usize,
     /// As [`Protocol::guards`].
     pub guards: bool,
+    /// Whether single rays are measured as calls, too: how long an answer takes, and a call that was
+    /// forgotten.
+    pub calls: bool,
     /// How many groups may still be measured again because a neighbour did not leave them enough
     /// rounds: he may have gone by then.
     pub patience: u32,

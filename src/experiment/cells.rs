@@ -186,7 +186,9 @@ fn time(
             mark_forgotten(row, scene);
         }
     }
-    calls::measure(contestants, &places, order, scene.facts.seed, bench, &mut measured.rows)?;
+    if bench.calls {
+        calls::measure(contestants, &places, order, scene.facts.seed, bench, &mut measured.rows)?;
+    }
     measured.figures.extend(report.figures.into_iter().take(subjects));
     // The rows of this group are final now, if nothing cut its measuring short.
     if let Some(piece) = piece.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {

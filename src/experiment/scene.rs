@@ -88,8 +88,7 @@ impl Scene {
             seed: pairs.spec.seed,
             ..Facts::default()
         };
-        let truth = Exactly::Pairs { truths: OnceCell::new(), segments: OnceCell::new() };
-        Scene { facts, rays: pairs.rays, triangles: pairs.triangles, truth }
+        Self::given_pairs(facts, pairs.rays, pairs.triangles)
     }
 
     /// Points of planes, each the `end` of its ray.
@@ -123,6 +122,17 @@ impl Scene {
         };
         let truth = Exactly::Nearest(OnceCell::new());
         Ok(Scene { facts, rays: set.rays, triangles: set.triangles, truth })
+    }
+
+    /// Rays and triangles of somewhere else, every ray against every triangle.
+    pub fn given(facts: Facts, rays: Vec<Ray>, triangles: Vec<Triangle>) -> Self {
+        Scene { facts, rays, triangles, truth: Exactly::Nearest(OnceCell::new()) }
+    }
+
+    /// Rays and triangles of somewhere else, as many of each, ray i against triangle i.
+    pub fn given_pairs(facts: Facts, rays: Vec<Ray>, triangles: Vec<Triangle>) -> Self {
+        let truth = Exactly::Pairs { truths: OnceCell::new(), segments: OnceCell::new() };
+        Scene { facts, rays, triangles, truth }
     }
 
     /// Whether it is rays against all triangles.

@@ -46,6 +46,7 @@ pub fn attempt(
     };
     let mut bench = Bench {
         rounds,
+        calls: true,
         // The clock moves by its readings, not by work.
         guards: false,
         patience: 0,

@@ -1,0 +1,225 @@
+//! Forms of the registry, timed side by side on the sample.
+
+use super::evidence::Saving;
+use super::form::{Form, Output, translates};
+use super::pieces::PIECES;
+use super::settle::{Entry, Finals};
+use crate::experiment::{Bench, Scene, Trouble, cells};
+use crate::kernels::{Edges, Fallback, Fixed, NoFallback, Projection};
+use crate::measure::{Figures, Order};
+use crate::registry::{self, Axes, REFERENCE, Variant, variants};
+use crate::table::Row;
+
+/// The experiment that rows are of.
+pub const EXPERIMENT: &str = "scene";
+/// A segment test, which is judged on other questions than rays.
+const SEGMENTS: &str = "chirkov";
+
+/// The level of the forms that have every piece: the lowest that there is.
+pub fn level() -> &'static str {
+    let usual = variants().iter().find(|variant| {
+        let axes = &variant.axes;
+        axes.kernel == "moller-trumbore" && (variant.available)() && is_plain(axes)
+    });
+    usual.map_or_else(|| REFERENCE.split('/').nth(3).unwrap_or(""), |usual| usual.axes.level)
+}
+
+/// A single ray, everything that no piece is about at its default.
+fn is_plain(axes: &Axes) -> bool {
+    axes.drive == "single"
+        && axes.exit == "early"
+        && axes.rounding == "plain"
+        && axes.layout == "aos"
+        && axes.tests == "compare"
+        && axes.reciprocal == "divide"
+        && axes.leading_is_native
+        && axes.priced.is_empty()
+        && axes.query == "ray"
+        && axes.copy == 0
+}
+
+/// What a plan knows of a variant.
+pub fn form(variant: &Variant) -> Option<Form> {
+    let axes = &variant.axes;
+    let has_edges = !axes.edges.is_empty();
+    Some(Form {
+        id: variant.id(),
+        kernel: axes.kernel.to_owned(),
+        in_f64: axes.precision == "f64" || axes.kernel.ends_with("-in-f64"),
+        output: Output::of(axes.output)?,
+        divides_last: axes.division == "last",
+        culls: axes.cull == "on",
+        projects_along_z: axes.projection == <Fixed<2> as Projection>::NAME,
+        prepares: axes.stored != "vertices",
+        watertight: variant.about.watertight,
+        falls_back: has_edges && axes.edges != NoFallback::NAME,
+        translates: translates(axes.kernel),
+    })
+}
+
+/// The variant that has everything that is needed of what is not always there, and else is what everybody
+/// uses: Moeller and Trumbore's test, two-sided, with u and v.
+pub fn default_variant(output: Output, watertight: bool, in_f64: bool) -> Option<&'static Variant> {
+    let kernel = if watertight { "woop-watertight" } else { "moller-trumbore" };
+    let precision = if in_f64 { "f64" } else { "f32" };
+    let output = output.max(Output::Tuv).word();
+    let level = level();
+    registry::find(&format!("{kernel}/{precision}/single/{level}/early/last/plain/{output}"))
+        .or_else(|| {
+            registry::find(&format!("{kernel}/{precision}/single/{level}/early/last/plain/tuv"))
+        })
+}
+
+/// The forms that may become the plan: those of a precision that yield what is wanted and do what `needed` says. What
+/// culls or projects along one axis exists with u and v only.
+pub fn candidates(
+    output: Output,
+    in_f64: bool,
+    needed: &dyn Fn(&Form) -> bool,
+) -> Vec<&'static Variant> {
+    let level = level();
+    let fits = |variant: &&'static Variant| {
+        let axes = &variant.axes;
+        let single = is_plain(axes)
+            && axes.level == level
+            && variant.pairs.is_some()
+            && variant.nearest.is_some();
+        let known = !variant.is_peer() && axes.kernel != SEGMENTS && variant.claims_exactness();
+        let other_edges = !["", Fallback::NAME, NoFallback::NAME].contains(&axes.edges);
+        let Some(form) = form(variant).filter(|_| single && known && !other_edges) else {
+            return false;
+        };
+        let special = form.culls || form.projects_along_z;
+        let enough = form.output == output || (special && form.output > output);
+        enough && form.in_f64 == in_f64 && needed(&form)
+    };
+    variants().iter().filter(fits).collect()
+}
+
+/// What was timed on one sample.
+#[derive(Default)]
+pub struct Timed {
+    /// A row per variant.
+    pub rows: Vec<Row>,
+    /// Figures by variant id.
+    pub figures: Vec<Figures>,
+    /// What identical code differs by, relative.
+    pub floor: f64,
+}
+
+impl Timed {
+    /// The figures of a variant, if they stand.
+    pub fn of(&self, id: &str) -> Option<&Figures> {
+        let found = self.figures.iter().find(|figures| figures.id == id);
+        found.filter(|figures| figures.ns_per_test.is_some())
+    }
+}
+
+/// Times variants on the sample beside the default one. Those with a wrong answer are not timed.
+///
+/// # Errors
+/// A group that cannot be measured.
+pub fn time(
+    variants: &[&'static Variant],
+    default: &'static Variant,
+    scene: &Scene,
+    bench: &mut Bench<'_>,
+) -> Result<Timed, Trouble> {
+    let order = Order::Reshuffled;
+    let measured = cells::run(EXPERIMENT, variants, default, scene, order, bench, None)?;
+    let floors = measured.rows.iter().filter_map(|row| row.noise_floor);
+    let floor = floors.fold(0.0, f64::max);
+    Ok(Timed { rows: measured.rows, figures: measured.figures, floor })
+}
+
+/// The variants of all pairs of forms whose pieces may be left out, none twice.
+pub fn paired(spare: &dyn Fn(usize) -> bool) -> Vec<&'static Variant> {
+    let mut chosen: Vec<&'static Variant> = Vec::new();
+    let places = (0..PIECES.len()).filter(|place| spare(*place));
+    let pairs = places.filter_map(|place| PIECES[place].pair_at(level()));
+    for id in pairs.flatten() {
+        if let Some(variant) = registry::find(&id)
+            && !chosen.iter().any(|other| std::ptr::eq(*other, variant))
+        {
+            chosen.push(variant);
+        }
+    }
+    // Forms of one kernel beside each other, as groups are cut.
+    chosen.sort_by_key(|variant| variant.axes.kernel);
+    chosen
+}
+
+/// What the pair of each piece says.
+pub fn savings(timed: &Timed) -> Vec<Option<Saving>> {
+    let of = |place: usize| {
+        let [with, without] = PIECES[place].pair_at(level())?;
+        let (with, without) = (timed.of(&with)?, timed.of(&without)?);
+        Saving::of(&without.samples, &with.samples, timed.floor)
+    };
+    (0..PIECES.len()).map(of).collect()
+}
+
+/// Forms of the heats that go on to the finals, no more than can be timed together: the default, the
+/// fastest of those that waste least, the fastest of all, and of those that leave out, or do, each piece.
+/// `share` is what preparing adds to a test, ns; `waste` counts what a form need not do.
+pub fn finalists(
+    heats: &Timed,
+    variants: &[&'static Variant],
+    default: &'static Variant,
+    share: &dyn Fn(&Variant) -> f64,
+    waste: &dyn Fn(&Form) -> usize,
+) -> Vec<&'static Variant> {
+    let cost = |variant: &Variant| {
+        let figures = heats.of(&variant.id())?;
+        // Between groups only the ratio to the reference can be compared.
+        let ratio = figures.ratio_to_reference.map_or(1.0, |ratio| ratio.estimate);
+        Some(ratio * (1.0 + share(variant) / figures.ns_per_test?))
+    };
+    let known = |variant: &&'static Variant| Some((cost(variant)?, form(variant)?, *variant));
+    let mut ranked: Vec<(f64, Form, &'static Variant)> =
+        variants.iter().filter_map(known).collect();
+    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut order: Vec<&'static Variant> = vec![default];
+    // Stable: of those that waste as little, the fastest come first.
+    let mut least: Vec<&(f64, Form, &'static Variant)> = ranked.iter().collect();
+    least.sort_by_key(|(_, form, _)| waste(form));
+    order.extend(least.iter().take(LEAST).map(|one| one.2));
+    order.extend(ranked.iter().take(FASTEST).map(|one| one.2));
+    for done_by in PIECES.iter().filter_map(|piece| piece.done_by) {
+        for wanted in [true, false] {
+            order.extend(least.iter().find(|one| done_by(&one.1) == wanted).map(|one| one.2));
+        }
+    }
+    let mut finals: Vec<&'static Variant> = Vec::new();
+    for variant in order {
+        let is_new = !finals.iter().any(|other| std::ptr::eq(*other, variant));
+        if is_new && finals.len() < cells::MOST_SUBJECTS {
+            finals.push(variant);
+        }
+    }
+    finals.sort_by_key(|variant| variant.axes.kernel);
+    finals
+}
+
+/// So many of the forms that waste least go on.
+const LEAST: usize = 4;
+/// So many of the fastest forms go on.
+const FASTEST: usize = 3;
+
+/// The finals as the choice sees them; `None` where the default could not be timed.
+pub fn finals(
+    timed: &Timed,
+    variants: &[&'static Variant],
+    default: &'static Variant,
+    share: &dyn Fn(&Variant) -> f64,
+) -> Option<Finals> {
+    let entry = |variant: &&'static Variant| {
+        let figures = timed.of(&variant.id())?;
+        let share = share(variant);
+        let times = figures.samples.iter().map(|ns| ns + share).collect();
+        Some(Entry { form: form(variant)?, times })
+    };
+    let entries: Vec<Entry> = variants.iter().filter_map(entry).collect();
+    let default = entries.iter().position(|entry| entry.form.id == default.id())?;
+    Some(Finals { entries, default, floor: timed.floor })
+}
