@@ -181,12 +181,8 @@ pub fn assert_same(now: &[Row], before: &[Row], when: &str) {
 /// Asserts that rows of a journal were taken as they are, and not measured again. Three columns are
 /// of all rows together.
 pub fn assert_taken(kept: &[Row], rows: &[Row], when: &str) {
-    let own = |row: &Row| Row {
-        seconds: None,
-        seconds_mean: None,
-        percent_slower: None,
-        ..row.clone()
-    };
+    let own =
+        |row: &Row| Row { seconds: None, seconds_mean: None, percent_slower: None, ..row.clone() };
     let rows: Vec<Row> = rows.iter().map(own).collect();
     for row in kept {
         assert!(rows.contains(&own(row)), "{when}: {} was measured again", row.id);

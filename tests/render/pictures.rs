@@ -58,7 +58,10 @@ fn text_has_a_line_a_figure_and_csv_a_column() {
     let words = ["icosphere:0", "--size", "4x4"];
     let text = folder.render(&words);
     let stdout = String::from_utf8_lossy(&text.stdout).into_owned();
-    assert!(stdout.lines().any(|line| line.trim_start().starts_with("frames_per_second")), "{stdout}");
+    assert!(
+        stdout.lines().any(|line| line.trim_start().starts_with("frames_per_second")),
+        "{stdout}"
+    );
     assert!(!stdout.contains("cracks"), "{stdout}");
     assert!(said(&text).contains("4 x 4 pixels"), "{}", said(&text));
     let csv = folder.render(&[&words[..], &["--format", "csv"]].concat());
