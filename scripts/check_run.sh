@@ -181,6 +181,16 @@ expect 2 "no cases" "$program" check /dev/null
 expect 0 "check from stdin, all kernels" "$program" check - --format csv <cases.csv
 grep -qiE ',-?(nan|inf),' out && fail "a number that is none in the rows of check"
 
+expect 0 "a recommendation" "$program" recommend --from part --format json
+has '"variant"' out
+expect 0 "a picture" "$program" render icosphere:1 --size 32x24 --compare -o ball.png
+head -c 4 ball.png | grep -q PNG || fail "no picture"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' >broken.obj
+for verb in scene render; do
+    expect 2 "a broken mesh: $verb" "$program" "$verb" broken.obj
+    has "line 4" err
+done
+
 for pipe in "check cases.csv" "list variants" "reproduce --dry-run" "all 100 10"; do
     # shellcheck disable=SC2086 # words of a command line
     "$program" $pipe 2>err | head -n 1 >out || fail "a closed pipe: $pipe"

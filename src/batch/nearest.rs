@@ -39,7 +39,7 @@ pub struct Scene<'a, E> {
 #[expect(dead_code, reason = "only its place matters")]
 struct Anchor(u8);
 
-/// Has the frame aligned that it is inlined into. See [`Anchor`].
+/// Has the frame aligned that it is inlined into. See `Anchor`.
 #[inline(always)]
 pub fn align_frame<R: Real>() {
     if size_of::<R>() > 16 {

@@ -42,7 +42,7 @@ pub fn timeline(rounds: &[Round]) -> Result<String, ChartError> {
     if placed.is_empty() {
         return frame::placeholder(&figure, "no round of a group with a reference was taken down");
     }
-    figure.subtitle = subtitle(rounds);
+    figure.subtitle = timeline_words(rounds);
     let left = MARGIN + 44.0;
     let mut frame = Frame::new(&figure, left + PLOT.0 + MARGIN);
     key(&mut frame, rounds);
@@ -100,7 +100,8 @@ fn count(rounds: &[Round], state: &str) -> usize {
     rounds.iter().filter(|round| round.state == state).count()
 }
 
-fn subtitle(rounds: &[Round]) -> String {
+/// What the picture of these rounds shows, in words.
+pub fn timeline_words(rounds: &[Round]) -> String {
     let share = |state| 100.0 * count(rounds, state) as f64 / rounds.len() as f64;
     format!(
         "Time of the reference kernel in each round over its median in its group: a machine that is \

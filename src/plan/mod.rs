@@ -6,8 +6,8 @@
 //!  structures, preparing, timed ─────────┘                                          ├─> Plan ─> proof
 //!  forms side by side on a sample ─> Finals ────────────────────────────────────────┘    └─ back ─┘
 //! ```
-//! A piece is a file in [`pieces`] and a line in its list. What decides knows nothing of a clock or of
-//! the registry: [`settle`] takes times and a way to ask for answers. [`Task`] brings those.
+//! A piece is a file in `pieces` and a line in its list. What decides knows nothing of a clock or of
+//! the registry: `settle` takes times and a way to ask for answers. [`Task`] brings those.
 
 mod contest;
 mod evidence;

@@ -1,6 +1,6 @@
 //! Stored rows -> the variant to take, the rows that say so, and what the next best costs.
 //!
-//! Only times of the same rays, triangles and order are held against each other ([`arena`]). What a
+//! Only times of the same rays, triangles and order are held against each other (`arena`). What a
 //! variant can do beyond its rows comes from outside, as [`KnownVariant`]: nothing here can run one.
 
 mod answer;

@@ -7,7 +7,7 @@ use super::ledger::Ledger;
 use super::machine::Machine;
 use super::trust::{self, Check};
 use super::{cited, words};
-use crate::chart::timeline;
+use crate::chart::{timeline, timeline_words};
 use crate::claims::Finding;
 use crate::results::Results;
 
@@ -26,6 +26,8 @@ pub(super) struct Page {
     pub trust_sentence: String,
     /// Picture of the rounds; empty where there are none, or it stands in a file beside the report.
     pub timeline: String,
+    /// What it shows.
+    pub timeline_words: String,
     /// Whether there are rounds to be shown.
     pub has_timeline: bool,
     pub parts: Vec<Part>,
@@ -61,6 +63,7 @@ impl Page {
             } else {
                 String::new()
             },
+            timeline_words: timeline_words(&results.rounds),
             has_timeline,
             parts: parts(results, inside)?,
             machines,

@@ -67,7 +67,7 @@ fn eighth(bounds: &Bounds, child: u32) -> Bounds {
 
 impl Octree {
     /// Cells are split in the order of their size (the lecture's queue of candidates), until the lists
-    /// are [`MOST_COPIES`] times as long as that of all triangles. Four times as many triangles are one
+    /// are `MOST_COPIES` times as long as that of all triangles. Four times as many triangles are one
     /// level more, as of a surface.
     pub fn new(triangles: &[Triangle]) -> Self {
         let placed = placed(triangles);

@@ -8,7 +8,7 @@ use super::{Beam, Bounds, Crossing, Volume};
 pub struct Slabs {
     /// Across the axes.
     pub bounds: Bounds,
-    /// Least and greatest n . p for the four [`NORMALS`], rounded outwards.
+    /// Least and greatest n . p for the four `NORMALS`, rounded outwards.
     pub diagonal: [[f32; 2]; 4],
 }
 

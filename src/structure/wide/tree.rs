@@ -5,7 +5,7 @@
 pub struct Wide<const W: usize> {
     /// The root is the first.
     pub nodes: Vec<Node<W>>,
-    /// The triangles of each leaf; [`NOBODY`] where a leaf is not full.
+    /// The triangles of each leaf; `NOBODY` where a leaf is not full.
     pub groups: Vec<[u32; W]>,
     /// What planes are relative to.
     pub middle: [f32; 3],
