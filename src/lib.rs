@@ -11,7 +11,8 @@
 //! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock; [`scene`] reads
 //! meshes, draws rays for them, and says what both are like; [`render`] makes pictures of them;
 //! [`doctor`] measures a kernel against copies of itself, to tell what the machine is good for.
-//! [`recommend`] tells, from stored rows, which variant to take.
+//! From stored rows alone, [`results`] puts runs together, [`claims`] judges published statements,
+//! [`report`] writes what a reader opens, and [`recommend`] tells which variant to take.
 //! The module `structure` arranges many triangles for rays, with any kernel at its leaves: bounding
 //! volumes, subdivisions of space, hierarchies, and the fast path of groups.
 //! The modules below stand in reading order.

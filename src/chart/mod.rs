@@ -11,6 +11,7 @@ mod canvas;
 mod counts;
 mod envelope;
 mod figure;
+mod figure_label;
 mod figure_use;
 mod frame;
 mod heat;

@@ -156,7 +156,7 @@ fn names(frame: &mut Frame, placed: &[Placed<'_>], area: &Area) -> f64 {
         before = name;
         let x = area.across(one.round.at_s);
         let end = x + text::width(name, SMALL, false);
-        let is_free = |last: &f64| *last + 4.0 < x;
+        let is_free = |last: &f64| *last + 10.0 < x;
         let line = ends.iter().position(is_free).filter(|_| end < area.left + PLOT.0 + MARGIN);
         let from = line.map_or(top, |line| area.top + line as f64 * NAME_HEIGHT);
         frame.canvas.line(&[(x, from), (x, top + PLOT.1)], FAINT, 1.0);

@@ -13,6 +13,7 @@ use super::report::{self, Report};
 use super::scene::{self, Scene};
 use super::slips::slip;
 use super::stability::{self, Stability};
+use super::words::words;
 use crate::experiment::Profile;
 use crate::measure::{Order, Pin};
 use crate::shard::Shard;
@@ -22,7 +23,7 @@ const EXAMPLES: &str = "\
 Examples:
   ray_test 0.3 2000 10000      2000 pairs of which exactly 600 hit, each 10000 times in a row
   ray_test all 2000 1000       densities 0, 0.25, 0.5, 0.75 and 1
-  ray_test reproduce           every experiment, under two minutes; tables and charts
+  ray_test reproduce           every experiment, some two minutes; then the report
   ray_test list kernels        what there is";
 
 /// Which ray-triangle routine to use, how fast it is, and how wrong.
@@ -235,24 +236,6 @@ pub enum Format {
     /// A JSON array of flat objects
     Json,
 }
-
-/// The library's words, for clap.
-macro_rules! words {
-    ($(#[$doc:meta])* $name:ident for $target:ty { $($value:ident => $of:expr,)* }) => {
-        $(#[$doc])*
-        #[derive(clap::ValueEnum, Clone, Copy, Debug, PartialEq, Eq)]
-        #[allow(missing_docs, reason = "the words explain themselves where they are used")]
-        pub enum $name { $($value,)* }
-        impl $name {
-            /// The library's own type.
-            pub fn value(self) -> $target {
-                match self { $($name::$value => $of,)* }
-            }
-        }
-    };
-}
-
-pub(super) use words;
 
 words! {
     /// Order of the pairs.

@@ -8,9 +8,10 @@ use std::time::{Duration, Instant};
 use regex::Regex;
 
 use super::arguments::{Batch, Reproduce, Run};
+use super::built_in::{Source, built_in_sources};
 use super::estimate::{dry_run, seconds_of_all};
 use super::failure::Failure;
-use super::folder::{Before, Folder, Source, built_in_sources};
+use super::folder::{Before, Folder};
 use super::instruments::Instruments;
 use super::publish::{publish, read};
 use super::sweep::{of_profile, sweep_once};

@@ -1,7 +1,7 @@
 //! What an experiment asks, for whoever reads stored rows: from the text that lies beside them, or
 //! from the experiments that are compiled in.
 
-use super::folder::built_in_sources;
+use super::built_in::built_in_sources;
 use crate::experiment::Experiment;
 use crate::results::{About, DESCRIPTION};
 use crate::stability::EXPERIMENT as STABILITY;

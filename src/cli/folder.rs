@@ -1,46 +1,24 @@
-//! Where results go, and the experiments that are compiled in.
+//! Where results go.
+
+mod kept;
+
+pub use kept::Before;
 
 use std::path::{Path, PathBuf};
 
-use serde_json::{Value, json};
-
 use super::failure::Failure;
 use super::rounds::{self, ROUNDS, RoundsLog};
-use super::stored::{put_shard, workload_hash};
+use super::stored::workload_hash;
 use super::unfinished::Keeper;
 use crate::chart::{Published, draw};
 use crate::experiment::{Experiment, Outcome, Plan};
-use crate::measure::{BuildInfo, Environment, now_rfc3339};
-use crate::results::{COMPLETE, DESCRIPTION, JOURNAL, ROWS, TABLE};
+use crate::measure::{Environment, now_rfc3339};
+use crate::results::{DESCRIPTION, JOURNAL, ROWS, TABLE};
 use crate::shard::Shard;
 use crate::table::{
-    Header, Journaled, RunFile, RunKey, SCHEMA_VERSION, read_journal, read_json,
-    remove_partial_files, write_atomically, write_csv, write_json,
+    Header, Journaled, RunFile, SCHEMA_VERSION, remove_partial_files, write_atomically, write_csv,
+    write_json,
 };
-use crate::workload::hash::Fnv;
-
-/// The experiments under `configs/`, as file name and text; made by the build script.
-mod embedded {
-    include!(concat!(env!("OUT_DIR"), "/configs.rs"));
-}
-
-/// An experiment's file name and text.
-pub type Source = (String, String);
-
-/// The files that are compiled in.
-pub fn built_in_sources() -> Vec<Source> {
-    let owned = |(name, text): &(&str, &str)| (format!("configs/{name}"), (*text).to_owned());
-    embedded::CONFIGS.iter().map(owned).collect()
-}
-
-/// The experiments that are compiled in, with their files.
-///
-/// # Errors
-/// None, unless a file was compiled in that no test has read.
-pub fn built_in() -> Result<Vec<(String, Experiment)>, Failure> {
-    let parse = |(name, text): Source| Ok((name.clone(), Experiment::parse(&name, &text)?));
-    built_in_sources().into_iter().map(parse).collect()
-}
 
 /// The folder of one run.
 pub struct Folder {
@@ -52,16 +30,6 @@ pub struct Folder {
     shard: Option<Shard>,
     /// When the program began, in seconds of the run: above 0 where it goes on.
     began_s: f64,
-}
-
-/// What there is of an experiment before it runs.
-pub enum Before {
-    /// Nothing.
-    Nothing,
-    /// All of it; the variants that were wrong.
-    Finished(Vec<String>),
-    /// What was measured until it was interrupted.
-    Begun(Journaled),
 }
 
 impl Folder {
@@ -141,68 +109,6 @@ impl Folder {
 
     fn file(&self, id: &str, name: &str) -> PathBuf {
         self.path.join(id).join(name)
-    }
-
-    /// What there is of an experiment in this folder.
-    ///
-    /// # Errors
-    /// Usage, if it was measured with another configuration, program or machine, or if its journal
-    /// is broken.
-    fn before(&self, plan: &Plan) -> Result<Before, Failure> {
-        let id = &plan.experiment.id;
-        let file = self.file(id, JOURNAL);
-        // A journal is there until everything else is; it outlasts even a finished file of before.
-        let journal = read_journal(&file);
-        let journal = journal.map_err(|error| Failure::Usage(format!("--resume: {error}")))?;
-        if let Some(journal) = journal {
-            self.refuse_others(&file, &journal.header.run_key, &plan.experiment.text)?;
-            return Ok(Before::Begun(journal));
-        }
-        let Some(run) = self.finished(id, &plan.experiment.text)? else {
-            return Ok(Before::Nothing);
-        };
-        let mut wrong: Vec<String> = Vec::new();
-        for row in run.rows.iter().filter(|row| row.status == "wrong-result") {
-            if !wrong.contains(&row.id) {
-                wrong.push(row.id.clone());
-            }
-        }
-        Ok(Before::Finished(wrong))
-    }
-
-    /// The rows of an experiment that was finished here, by its id and text.
-    ///
-    /// # Errors
-    /// Usage, if it was run with another configuration, program or machine.
-    pub fn finished(&self, id: &str, text: &str) -> Result<Option<RunFile>, Failure> {
-        let file = self.file(id, ROWS);
-        let Ok(run) = read_json(&file) else { return Ok(None) };
-        let key = run.environment.get(RUN_KEY).cloned();
-        let key = key.and_then(|key| serde_json::from_value(key).ok()).unwrap_or_default();
-        self.refuse_others(&file, &key, text)?;
-        let is_complete = run.environment.get(COMPLETE).and_then(Value::as_bool) == Some(true);
-        Ok(is_complete.then_some(run))
-    }
-
-    fn refuse_others(&self, file: &Path, key: &RunKey, text: &str) -> Result<(), Failure> {
-        let now = self.key(text);
-        let Some((part, before, now)) = key.difference(&now) else { return Ok(()) };
-        Err(Failure::Usage(format!(
-            "--resume: {} was made with another {part} ('{before}', now '{now}'); allowed: the \
-             same experiment, --profile, --filter, program and machine, or another --out",
-            file.display()
-        )))
-    }
-
-    /// What must be the same for an experiment to be gone on with.
-    fn key(&self, text: &str) -> RunKey {
-        let mut hash = Fnv::default();
-        hash.bytes(text.as_bytes());
-        RunKey {
-            config: format!("text {:016x} {}", hash.finish(), self.settings),
-            binary: binary(&self.environment.build),
-            machine: self.environment.testbed_id.clone(),
-        }
     }
 
     /// Before a run goes on: removes what a killed one was writing.
@@ -296,42 +202,4 @@ impl Folder {
             rows: outcome.rows.clone(),
         })
     }
-
-    /// What is said around the rows of an experiment of that text: the environment, by what the run
-    /// can be gone on with, whether all of it is there, and of a share where its rows stand.
-    ///
-    /// # Errors
-    /// None that a value of ours could have.
-    pub fn circumstances(
-        &self,
-        text: &str,
-        complete: bool,
-        places: &[u64],
-    ) -> Result<Value, Failure> {
-        let mut environment = serde_json::to_value(&self.environment)
-            .map_err(|error| Failure::Runtime(error.into()))?;
-        environment[RUN_KEY] = json!(self.key(text));
-        environment[COMPLETE] = json!(complete);
-        put_shard(&mut environment, self.shard, places);
-        Ok(environment)
-    }
 }
-
-/// The program in one line: what tells builds apart.
-fn binary(build: &BuildInfo) -> String {
-    let known = |text: &Option<String>| text.clone().unwrap_or_else(|| "unknown".to_owned());
-    format!(
-        "{} commit {}, {}, {} {} opt-level {}{}, flags '{}'",
-        build.version,
-        known(&build.commit),
-        known(&build.compiler),
-        known(&build.target),
-        known(&build.profile),
-        known(&build.opt_level),
-        if build.debug_assertions { " with assertions" } else { "" },
-        build.flags.as_deref().unwrap_or("")
-    )
-}
-
-/// Field of a file's environment: what must be the same for the run to be gone on with.
-const RUN_KEY: &str = "run_key";

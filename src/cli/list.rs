@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use super::arguments::{List, Listed};
+use super::built_in::built_in;
 use super::failure::Failure;
-use super::folder::built_in;
 use super::show::{Sheet, print};
 use crate::claims::{Claim, Ledger};
 use crate::level::levels;

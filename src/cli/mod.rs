@@ -4,6 +4,7 @@ mod addresses;
 mod arguments;
 mod baseline;
 mod batch;
+mod built_in;
 mod check;
 mod check_forms;
 mod check_rows;
@@ -42,6 +43,7 @@ mod stored;
 mod sweep;
 mod thesis;
 mod unfinished;
+mod words;
 
 use std::process::ExitCode;
 

@@ -7,12 +7,13 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::arguments::{Format, words};
+use super::arguments::Format;
 use super::failure::Failure;
 use super::render_frames::{Contender, Shown, Studio};
 use super::render_kernels::{Chosen, chosen};
 use super::render_rows::{Common, lines, sheet, verdict};
 use super::show::{aligned, print};
+use super::words::words;
 use super::{interrupt, render_files};
 use crate::registry::REFERENCE;
 use crate::render::{Following, Interpolation, Manner, Stage, Subsampling};

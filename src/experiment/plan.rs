@@ -14,7 +14,7 @@ use crate::registry::{self, Variant, units};
 /// How much is measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Profile {
-    /// 64 rounds: all experiments in under two minutes.
+    /// 64 rounds: all experiments in some two minutes, where nobody else uses the machine.
     #[default]
     Quick,
     /// 256 rounds.
