@@ -49,6 +49,7 @@ macro_rules! counted {
     ($trait:ident, $method:ident, $field:ident) => {
         impl<T: Element> $trait for Counted<T> {
             type Output = Self;
+            #[inline(never)]
             fn $method(self, other: Self) -> Self {
                 tick(|operations| operations.$field += 1);
                 Counted($trait::$method(self.0, other.0))
@@ -72,7 +73,8 @@ impl<T: Element> Neg for Counted<T> {
 
 macro_rules! compared {
     ($($method:ident)*) => {
-        $(fn $method(self, other: Self) -> bool {
+        $(#[inline(never)]
+        fn $method(self, other: Self) -> bool {
             tick(|operations| operations.compare += 1);
             self.0.$method(other.0)
         })*
@@ -108,6 +110,7 @@ impl<T: Element> Real for Counted<T> {
     fn sign_bit(self) -> bool {
         self.0.sign_bit()
     }
+    #[inline(never)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         tick(|operations| {
             operations.mul += 1;

@@ -11,6 +11,8 @@ use super::{Element, Real};
 /// Selections and flips of a sign move bits and flush nothing. A result that rounds up to the
 /// smallest normal number stays; processors differ there (x86 asks what it would be with an
 /// unbounded exponent, and flushes the upper half of the last step).
+///
+/// Operations are never inlined: nothing here is timed, and code that is not made need not be built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flushed<T>(pub T);
 
@@ -23,6 +25,7 @@ macro_rules! flushed {
     ($trait:ident, $method:ident) => {
         impl<T: Element> $trait for Flushed<T> {
             type Output = Self;
+            #[inline(never)]
             fn $method(self, other: Self) -> Self {
                 Flushed(flush($trait::$method(flush(self.0), flush(other.0))))
             }
@@ -44,7 +47,8 @@ impl<T: Element> Neg for Flushed<T> {
 
 macro_rules! compared {
     ($($method:ident)*) => {
-        $(fn $method(self, other: Self) -> bool {
+        $(#[inline(never)]
+        fn $method(self, other: Self) -> bool {
             flush(self.0).$method(flush(other.0))
         })*
     };
@@ -79,6 +83,7 @@ impl<T: Element> Real for Flushed<T> {
     fn sign_bit(self) -> bool {
         self.0.sign_bit()
     }
+    #[inline(never)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Flushed(flush(flush(self.0).mul_add(flush(factor.0), flush(addend.0))))
     }

@@ -242,7 +242,8 @@ pub fn numbers<O: Output>() -> usize {
     usize::from(O::T) + 2 * usize::from(O::UV) + 6 * usize::from(O::SURFACE)
 }
 
-/// What is the same for all forms of a kernel over an element type.
+/// What is the same for all forms of a kernel over an element type: built once for all of them.
+#[inline(never)]
 fn timed<K: Offers, E: Element>(
     axes: Axes,
     available: fn() -> bool,

@@ -1,5 +1,7 @@
 //! A single number that notes what is done with it: what a triangle's numbers are before they are put
 //! into every lane.
+//!
+//! Operations are never inlined: a kernel is hundreds of them, in every form, and nothing here is timed.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -25,6 +27,7 @@ impl TracedOne {
         self.place == Place::Constant(value.to_bits())
     }
     /// The result of an operation: a constant, if all operands are.
+    #[inline(never)]
     fn noted<const N: usize>(noted: Noted, operands: [Self; N], value: f64) -> Self {
         if operands.iter().all(|operand| matches!(operand.place, Place::Constant(_))) {
             return Self::constant(value);
@@ -36,6 +39,7 @@ impl TracedOne {
         TracedOne { place: note(noted, places), value }
     }
     /// Two operands whose order makes no difference.
+    #[inline(never)]
     fn ordered(self, other: Self) -> [Self; 2] {
         if other.place < self.place { [other, self] } else { [self, other] }
     }
@@ -43,6 +47,7 @@ impl TracedOne {
 
 impl Add for TracedOne {
     type Output = Self;
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         let value = self.value + other.value;
         match (self, other) {
@@ -54,6 +59,7 @@ impl Add for TracedOne {
 
 impl Sub for TracedOne {
     type Output = Self;
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         if other.is(0.0) {
             return self;
@@ -66,6 +72,7 @@ impl Sub for TracedOne {
 
 impl Mul for TracedOne {
     type Output = Self;
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         match (self, other) {
             (one, x) | (x, one) if one.is(1.0) => x,
@@ -76,6 +83,7 @@ impl Mul for TracedOne {
 
 impl Div for TracedOne {
     type Output = Self;
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         if other.is(1.0) {
             return self;
@@ -86,6 +94,7 @@ impl Div for TracedOne {
 
 impl Neg for TracedOne {
     type Output = Self;
+    #[inline(never)]
     fn neg(self) -> Self {
         Self::noted(Noted::Free(2), [self], -self.value)
     }
@@ -123,12 +132,14 @@ impl Real for TracedOne {
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }
+    #[inline(never)]
     fn signed_by(self, sign: Self) -> Self {
         Self::noted(Noted::Flip, [self, sign], self.value.signed_by(sign.value))
     }
     fn sign_bit(self) -> bool {
         self.value.sign_bit()
     }
+    #[inline(never)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         if self.is(1.0) || factor.is(1.0) {
             return self * factor + addend;

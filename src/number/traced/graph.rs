@@ -67,6 +67,7 @@ thread_local! {
 }
 
 /// The result of an operation, noted unless it is known already.
+#[inline(never)]
 pub fn note(noted: Noted, operands: [Option<Place>; 3]) -> Place {
     TAPE.with_borrow_mut(|tape| {
         if let Some(at) = tape.known.get(&(noted, operands)) {
@@ -108,8 +109,11 @@ pub struct Needed {
 /// What depends on a ray alone is done before any triangle, and not among them.
 pub fn needed(body: impl FnOnce() -> Vec<Place>) -> Needed {
     let before = TAPE.take();
-    let mut wanted = body();
-    let tape = TAPE.replace(before);
+    let wanted = body();
+    needed_of(&TAPE.replace(before), wanted)
+}
+
+fn needed_of(tape: &Tape, mut wanted: Vec<Place>) -> Needed {
     let mut seen = vec![false; tape.entries.len()];
     let mut needed = Needed::default();
     while let Some(place) = wanted.pop() {

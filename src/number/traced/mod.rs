@@ -21,10 +21,12 @@ pub struct Traced<const LANES: usize>(TracedOne);
 
 impl<const LANES: usize> Traced<LANES> {
     /// A number that comes from outside.
+    #[inline(never)]
     pub fn input(noted: Noted, value: f64) -> Self {
         Traced(TracedOne::input(noted, value))
     }
     /// The same number, kept in memory and put into every lane from there.
+    #[inline(never)]
     pub fn kept(self) -> Self {
         let place = note(Noted::Kept, [Some(self.place()), None, None]);
         Traced(TracedOne { place, ..self.0 })
@@ -33,6 +35,7 @@ impl<const LANES: usize> Traced<LANES> {
     pub fn place(self) -> Place {
         self.0.place
     }
+    #[inline(never)]
     fn compared(self, which: u8, other: Self, truth: bool) -> TracedMask<LANES> {
         TracedMask::of(Noted::Compare(which), [self.place(), other.place()], truth)
     }
@@ -53,6 +56,7 @@ impl<const LANES: usize> TracedMask<LANES> {
     fn constant(truth: bool) -> Self {
         TracedMask { place: Place::Constant(u64::from(truth)), truth }
     }
+    #[inline(never)]
     fn of(noted: Noted, operands: [Place; 2], truth: bool) -> Self {
         if operands.iter().all(|place| matches!(place, Place::Constant(_))) {
             return Self::constant(truth);
@@ -60,6 +64,7 @@ impl<const LANES: usize> TracedMask<LANES> {
         TracedMask { place: note(noted, [Some(operands[0]), Some(operands[1]), None]), truth }
     }
     /// `identity` is the truth value that leaves the other operand as it is.
+    #[inline(never)]
     fn joined(self, other: Self, identity: bool) -> Self {
         let neutral = Place::Constant(u64::from(identity));
         let absorbing = Place::Constant(u64::from(!identity));
@@ -89,6 +94,7 @@ impl<const LANES: usize> BitOr for TracedMask<LANES> {
 
 impl<const LANES: usize> Not for TracedMask<LANES> {
     type Output = Self;
+    #[inline(never)]
     fn not(self) -> Self {
         if let Place::Constant(_) = self.place {
             return Self::constant(!self.truth);
@@ -157,6 +163,7 @@ impl<const LANES: usize> Real for Traced<LANES> {
     fn mask((): (), truth: bool) -> Self::Mask {
         TracedMask::constant(truth)
     }
+    #[inline(never)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
         let chosen = if mask.truth { yes } else { no };
         if matches!(mask.place, Place::Constant(_)) || yes.place() == no.place() {
@@ -168,6 +175,7 @@ impl<const LANES: usize> Real for Traced<LANES> {
     fn signed_by(self, sign: Self) -> Self {
         Traced(self.0.signed_by(sign.0))
     }
+    #[inline(never)]
     fn sign_bit(self) -> Self::Mask {
         if let Place::Constant(_) = self.place() {
             return TracedMask::constant(self.0.sign_bit());
