@@ -8,6 +8,8 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 # Of its own: nothing here looks at times, so that it may run beside a run that measures.
 export RAY_TEST_LOCK="$folder/lock"
+# What is checked here are answers and files; no time is asked for, and no neighbour waited for.
+export RAY_TEST_PATIENCE=0
 passed=0
 
 fail() { printf 'failed: %s\n' "$1" >&2; exit 1; }
@@ -85,22 +87,26 @@ expect 2 "go on with another filter" "$program" reproduce --out part --resume --
 
 expect 0 "a run against itself" "$program" compare part part --format json
 has '"verdict": "same"' out
-# A copy in which Wald's kernel takes three times as long, in all figures of its time.
-cp -r part slower
-awk '/"kernel": *"wald"/ {
-        figure = "\"(ratio|cycles)_(to_reference|per_test|low|high|first_half|second_half)\": *[0-9.e-]+"
-        for (rest = $0; match(rest, figure); rest = substr(rest, RSTART + RLENGTH)) {
-            split(substr(rest, RSTART, RLENGTH), part, ": *")
-            printf "%s%s:%.17g", substr(rest, 1, RSTART - 1), part[1], 3 * part[2]
+# Beside a neighbour no change of time is confirmed, and whether there was one here is chance: the copies
+# were measured alone. In one of them Wald's kernel takes three times as long, in all figures of its time.
+for copy in calm slower; do
+    cp -r part "$copy"
+    awk -v slower="$copy" '{ gsub(/"crowded_share": *[0-9.e-]+/, "\"crowded_share\": 0") }
+        slower == "slower" && /"kernel": *"wald"/ {
+            figure = "\"(ratio|cycles)_(to_reference|per_test|low|high|first_half|second_half)\": *[0-9.e-]+"
+            for (rest = $0; match(rest, figure); rest = substr(rest, RSTART + RLENGTH)) {
+                split(substr(rest, RSTART, RLENGTH), part, ": *")
+                printf "%s%s:%.17g", substr(rest, 1, RSTART - 1), part[1], 3 * part[2]
+            }
+            print rest
+            next
         }
-        print rest
-        next
-    }
-    { print }' part/h-5/rows.json >slower/h-5/rows.json
-expect 3 "a slower kernel" "$program" compare part slower --format csv
+        { print }' part/h-5/rows.json >"$copy/h-5/rows.json"
+done
+expect 3 "a slower kernel" "$program" compare calm slower --format csv
 has '^regression,h-5,wald/' out
 grep -v '^regression,h-5,wald/' out | grep -q '^regression' && fail "another kernel is slower"
-expect 0 "a faster kernel" "$program" compare slower part --format markdown
+expect 0 "a faster kernel" "$program" compare slower calm --format markdown
 has '^\*\*improved' out
 sed 's/"seed": *[0-9][0-9]*/"seed": 4711/g' part/b-4.1/rows.json >seed.json
 expect 2 "another seed" "$program" compare part/b-4.1/rows.json seed.json

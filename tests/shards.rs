@@ -56,7 +56,7 @@ impl Place {
         let mut command = Command::new(program);
         command.current_dir(&self.0).args(words.split(' '));
         // Of its own: nothing here looks at times.
-        command.env("RAY_TEST_LOCK", self.0.join("lock"));
+        command.env("RAY_TEST_LOCK", self.0.join("lock")).env("RAY_TEST_PATIENCE", "0");
         command.output().expect("the program starts")
     }
 

@@ -10,6 +10,7 @@ use crate::measure::{
 };
 use crate::registry::variants;
 use crate::workload::{PairSpec, Pairs};
+use std::ffi::OsStr;
 use std::sync::atomic::AtomicBool;
 
 /// Clock, counters and the rest, on the processor that was chosen.
@@ -19,6 +20,7 @@ pub struct Instruments {
     counters: Box<dyn Counters>,
     forget: Distraction,
     ruler: Box<dyn Ruler>,
+    patience: u32,
 }
 
 impl Instruments {
@@ -26,7 +28,7 @@ impl Instruments {
     /// in the environment.
     ///
     /// # Errors
-    /// Usage, for a processor that the thread may not run on.
+    /// Usage, for a processor that the thread may not run on, and for a patience that is no number.
     pub fn set_up(wanted: Pin) -> Result<(Self, Environment), Failure> {
         if let (Pin::Cpu(cpu), Ok(allowed)) = (wanted, allowed_cpus())
             && !allowed.contains(&cpu)
@@ -35,6 +37,7 @@ impl Instruments {
                 "--pin: processor {cpu} is not allowed; allowed: auto, off, or one of {allowed:?}"
             )));
         }
+        let patience = patience(std::env::var_os(VARIABLE).as_deref())?;
         let mut clock = WallClock::new();
         // Before the pinning, which would hide the other processors.
         let mut environment = Environment::capture(&mut clock);
@@ -60,7 +63,7 @@ impl Instruments {
             Some(kernel) => Box::new(NeighbourRuler::new(kernel, cpus, &mut clock)),
             None => Box::new(NoRuler),
         };
-        Ok((Instruments { clock, disturbance, counters, forget, ruler }, environment))
+        Ok((Instruments { clock, disturbance, counters, forget, ruler, patience }, environment))
     }
 
     /// A bench for groups of so many rounds, whose rows go to `keep`.
@@ -75,7 +78,7 @@ impl Instruments {
             rounds,
             guards: true,
             calls: true,
-            patience: PATIENCE * (rounds / 64).max(1) as u32,
+            patience: self.patience * (rounds / 64).max(1) as u32,
             clock: &mut self.clock,
             disturbance: &mut self.disturbance,
             counters: self.counters.as_mut(),
@@ -93,9 +96,25 @@ fn has_two_kinds() -> bool {
     std::path::Path::new("/sys/devices/cpu_atom").exists()
 }
 
+/// Environment variable that sets another patience.
+const VARIABLE: &str = "RAY_TEST_PATIENCE";
 /// Groups of one experiment that are measured again beside a neighbour, for every 64 rounds: some
 /// seconds at most of a quick run.
 const PATIENCE: u32 = 6;
+/// More would be hours of waiting.
+const MOST_PATIENCE: u32 = 1000;
+
+/// The patience that the environment asks for, or the usual one.
+fn patience(asked: Option<&OsStr>) -> Result<u32, Failure> {
+    let Some(text) = asked.filter(|text| !text.is_empty()) else { return Ok(PATIENCE) };
+    let number = text.to_str().and_then(|text| text.trim().parse().ok());
+    number.filter(|number| *number <= MOST_PATIENCE).ok_or_else(|| {
+        let text = text.to_string_lossy();
+        Failure::Usage(format!(
+            "{VARIABLE}: '{text}'; allowed: a whole number from 0 to {MOST_PATIENCE}"
+        ))
+    })
+}
 
 /// Pairs of the ruler's kernel: near, and its whole time.
 const PAIRS: usize = 64;
@@ -109,4 +128,22 @@ fn crowd_kernel() -> Option<Box<dyn Job>> {
         axes.kernel == "moller-trumbore" && drive && (variant.available)()
     })?;
     full.pairs.as_ref().map(|bind| bind(&pairs.rays, &pairs.triangles))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patience_is_a_small_whole_number() {
+        let asked = |text: &str| patience(Some(OsStr::new(text)));
+        assert_eq!(patience(None).expect("usual"), PATIENCE);
+        assert_eq!(asked("").expect("as if it were not set"), PATIENCE);
+        assert_eq!(asked("0").expect("none"), 0);
+        assert_eq!(asked(" 1000 ").expect("the most"), 1000);
+        for wrong in ["-1", "1001", "many", "1.5"] {
+            let Err(Failure::Usage(message)) = asked(wrong) else { panic!("{wrong} was taken") };
+            assert!(message.contains(wrong) && message.contains("allowed"), "{message}");
+        }
+    }
 }

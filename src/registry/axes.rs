@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::kernels::{Edges, Fallback, OneIndex, Projection};
+use crate::kernels::{About, Edges, Fallback, OneIndex, Projection};
 use crate::policy::{Division, Exit, Facing, Leading, Output, Policy, Reciprocal, Rounding, Tests};
 
 use super::Offers;
@@ -81,6 +81,44 @@ pub const COLUMNS: [&str; 19] = [
     "subnormals",
 ];
 
+/// What the form `P` of a kernel is called: a constant, so that thousands of forms need no code for it.
+struct Words {
+    about: &'static About,
+    exit: &'static str,
+    division: &'static str,
+    rounding: &'static str,
+    output: &'static str,
+    cull: &'static str,
+    leading: &'static str,
+    /// The kernel's own `leading`.
+    native: &'static str,
+    stored_is_native: bool,
+    tests: &'static str,
+    reciprocal: &'static str,
+    edges: &'static str,
+    projection: &'static str,
+}
+
+impl Words {
+    const fn of<K: Offers, P: Policy>() -> Self {
+        Words {
+            about: &K::ABOUT,
+            exit: P::Exit::NAME,
+            division: P::Division::NAME,
+            rounding: P::Rounding::NAME,
+            output: P::Output::NAME,
+            cull: P::Facing::NAME,
+            leading: P::Leading::NAME,
+            native: K::Native::NAME,
+            stored_is_native: K::NATIVE_RECORD,
+            tests: P::Tests::NAME,
+            reciprocal: P::Reciprocal::NAME,
+            edges: K::EDGES,
+            projection: K::PROJECTION,
+        }
+    }
+}
+
 impl Axes {
     /// A single ray, everything else at its default, `early`, divided `last`, with t, u and v.
     pub fn usual(kernel: &'static str, precision: &'static str, level: &'static str) -> Self {
@@ -112,21 +150,27 @@ impl Axes {
 
     /// A single ray in the form `P` of a kernel, in the usual layout.
     pub fn of<K: Offers, P: Policy>(precision: &'static str, level: &'static str) -> Self {
+        Axes::named(const { &Words::of::<K, P>() }, precision, level)
+    }
+
+    /// Built once for all forms.
+    #[inline(never)]
+    fn named(words: &Words, precision: &'static str, level: &'static str) -> Self {
         Axes {
-            exit: P::Exit::NAME,
-            division: P::Division::NAME,
-            rounding: P::Rounding::NAME,
-            output: P::Output::NAME,
-            cull: P::Facing::NAME,
-            leading: P::Leading::NAME,
-            leading_is_native: P::Leading::NAME == K::Native::NAME,
-            stored: K::ABOUT.stored,
-            stored_is_native: K::NATIVE_RECORD,
-            tests: P::Tests::NAME,
-            reciprocal: P::Reciprocal::NAME,
-            edges: K::EDGES,
-            projection: K::PROJECTION,
-            ..Axes::usual(K::ABOUT.id, precision, level)
+            exit: words.exit,
+            division: words.division,
+            rounding: words.rounding,
+            output: words.output,
+            cull: words.cull,
+            leading: words.leading,
+            leading_is_native: words.leading == words.native,
+            stored: words.about.stored,
+            stored_is_native: words.stored_is_native,
+            tests: words.tests,
+            reciprocal: words.reciprocal,
+            edges: words.edges,
+            projection: words.projection,
+            ..Axes::usual(words.about.id, precision, level)
         }
     }
 

@@ -215,9 +215,14 @@ where
     let axes =
         Axes { drive: drive::<R>(), copy: COPY, ..Axes::of::<K, P>(R::Element::NAME, L::NAME) };
     let shape = Shape { lanes: R::LANES, rays: R::LANES, outputs: numbers::<P::Output>() };
-    let work = counted::<K, N, R>();
-    let variant = timed::<K, R::Element>(axes, level::available::<L>, shape, pairs, nearest);
-    v.push(Variant { work, ..variant });
+    let loops = Loops { pairs, nearest };
+    add::<K, R::Element>(v, axes, level::available::<L>, shape, loops, counted::<K, N, R>());
+}
+
+/// The loops of a form over pairs and over all triangles.
+struct Loops<K: Kernel, E: Element> {
+    pairs: OptionalPairs<K, E>,
+    nearest: NearestLoop<E>,
 }
 
 /// Counts the work of a form that does all of it always, and reports t, u and v: of others nobody asks. The
@@ -233,6 +238,7 @@ fn counted<K: Offers, P: Policy, R: Real>() -> Option<fn() -> Work> {
 }
 
 /// How a loop over single rays or packets is driven.
+#[inline(never)]
 pub fn drive<R: Real>() -> String {
     if R::LANES == 1 { "single".into() } else { format!("packet{}", R::LANES) }
 }
@@ -244,14 +250,16 @@ pub fn numbers<O: Output>() -> usize {
 
 /// What is the same for all forms of a kernel over an element type: built once for all of them.
 #[inline(never)]
-fn timed<K: Offers, E: Element>(
+fn add<K: Offers, E: Element>(
+    v: &mut Vec<Variant>,
     axes: Axes,
     available: fn() -> bool,
     shape: Shape,
-    pairs: OptionalPairs<K, E>,
-    nearest: NearestLoop<E>,
-) -> Variant {
-    Variant {
+    loops: Loops<K, E>,
+    work: Option<fn() -> Work>,
+) {
+    let Loops { pairs, nearest } = loops;
+    v.push(Variant {
         axes,
         about: &K::ABOUT,
         bytes_per_triangle: size_of::<K::Record<E>>(),
@@ -262,8 +270,8 @@ fn timed<K: Offers, E: Element>(
         preparing: Some(preparing::<K, E>),
         rays: shape.rays,
         lanes: shape.rays,
-        work: None,
-    }
+        work,
+    });
 }
 
 /// The exit of one test, in the kernel's own order.

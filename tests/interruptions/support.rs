@@ -61,6 +61,8 @@ impl Place {
     pub fn run(&self, out: &str, more: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_ray_test"));
         command.current_dir(&self.0).env("RAY_TEST_LOCK", self.path("lock")).arg("run");
+        // Beside a neighbour the times are no good, and nobody here asks for them.
+        command.env("RAY_TEST_PATIENCE", "0");
         command.args(experiments().map(|id| format!("{id}.toml")));
         command.arg("--out").arg(out).args(more);
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());

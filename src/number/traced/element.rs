@@ -5,43 +5,52 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Noted, Place, note};
+use super::{Noted, Place, Word, note};
 use crate::number::{Element, Real};
 
 /// A single number. Comparisons of it are answered and not noted: they are done once per triangle.
 #[derive(Clone, Copy, Debug)]
-pub struct TracedOne {
-    pub(super) place: Place,
-    pub(super) value: f64,
-}
+pub struct TracedOne(Word);
 
 impl TracedOne {
     /// A number that comes from outside.
     pub fn input(noted: Noted, value: f64) -> Self {
-        TracedOne { place: note(noted, [None; 3]), value }
+        Self::at(note(noted, [None; 3], value))
+    }
+    /// What stands at a place.
+    pub(super) fn at(place: Place) -> Self {
+        TracedOne(Word::of(place))
+    }
+    /// Where it stands.
+    pub(super) fn place(self) -> Place {
+        self.0.place()
+    }
+    /// What it is.
+    pub(super) fn value(self) -> f64 {
+        self.0.value()
     }
     const fn constant(value: f64) -> Self {
-        TracedOne { place: Place::Constant(value.to_bits()), value }
+        TracedOne(Word::constant(value.to_bits()))
     }
     fn is(self, value: f64) -> bool {
-        self.place == Place::Constant(value.to_bits())
+        self.place() == Place::Constant(value.to_bits())
     }
     /// The result of an operation: a constant, if all operands are.
     #[inline(never)]
     fn noted<const N: usize>(noted: Noted, operands: [Self; N], value: f64) -> Self {
-        if operands.iter().all(|operand| matches!(operand.place, Place::Constant(_))) {
+        if operands.iter().all(|operand| matches!(operand.place(), Place::Constant(_))) {
             return Self::constant(value);
         }
         let mut places = [None; 3];
         for (place, operand) in places.iter_mut().zip(operands) {
-            *place = Some(operand.place);
+            *place = Some(operand.place());
         }
-        TracedOne { place: note(noted, places), value }
+        Self::at(note(noted, places, value))
     }
     /// Two operands whose order makes no difference.
     #[inline(never)]
     fn ordered(self, other: Self) -> [Self; 2] {
-        if other.place < self.place { [other, self] } else { [self, other] }
+        if other.place() < self.place() { [other, self] } else { [self, other] }
     }
 }
 
@@ -49,7 +58,7 @@ impl Add for TracedOne {
     type Output = Self;
     #[inline(never)]
     fn add(self, other: Self) -> Self {
-        let value = self.value + other.value;
+        let value = self.value() + other.value();
         match (self, other) {
             (zero, x) | (x, zero) if zero.is(-0.0) => x,
             _ => Self::noted(Noted::Add, self.ordered(other), value),
@@ -66,7 +75,7 @@ impl Sub for TracedOne {
         }
         // Not the sum of the same operands: the third says so.
         let mark = Self::constant(-1.0);
-        Self::noted(Noted::Add, [self, other, mark], self.value - other.value)
+        Self::noted(Noted::Add, [self, other, mark], self.value() - other.value())
     }
 }
 
@@ -76,7 +85,7 @@ impl Mul for TracedOne {
     fn mul(self, other: Self) -> Self {
         match (self, other) {
             (one, x) | (x, one) if one.is(1.0) => x,
-            _ => Self::noted(Noted::Multiply, self.ordered(other), self.value * other.value),
+            _ => Self::noted(Noted::Multiply, self.ordered(other), self.value() * other.value()),
         }
     }
 }
@@ -88,7 +97,7 @@ impl Div for TracedOne {
         if other.is(1.0) {
             return self;
         }
-        Self::noted(Noted::Divide, [self, other], self.value / other.value)
+        Self::noted(Noted::Divide, [self, other], self.value() / other.value())
     }
 }
 
@@ -96,14 +105,15 @@ impl Neg for TracedOne {
     type Output = Self;
     #[inline(never)]
     fn neg(self) -> Self {
-        Self::noted(Noted::Free(2), [self], -self.value)
+        Self::noted(Noted::Free(2), [self], -self.value())
     }
 }
 
 macro_rules! compared {
     ($($method:ident $operator:tt)*) => {
-        $(fn $method(self, other: Self) -> bool {
-            self.value $operator other.value
+        $(#[inline(never)]
+        fn $method(self, other: Self) -> bool {
+            self.value() $operator other.value()
         })*
     };
 }
@@ -134,10 +144,10 @@ impl Real for TracedOne {
     }
     #[inline(never)]
     fn signed_by(self, sign: Self) -> Self {
-        Self::noted(Noted::Flip, [self, sign], self.value.signed_by(sign.value))
+        Self::noted(Noted::Flip, [self, sign], self.value().signed_by(sign.value()))
     }
     fn sign_bit(self) -> bool {
-        self.value.sign_bit()
+        self.value().sign_bit()
     }
     #[inline(never)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
@@ -145,7 +155,11 @@ impl Real for TracedOne {
             return self * factor + addend;
         }
         let [a, b] = self.ordered(factor);
-        Self::noted(Noted::Fused, [a, b, addend], self.value.mul_add(factor.value, addend.value))
+        Self::noted(
+            Noted::Fused,
+            [a, b, addend],
+            self.value().mul_add(factor.value(), addend.value()),
+        )
     }
 }
 
@@ -166,7 +180,7 @@ impl Element for TracedOne {
         Self::constant(value)
     }
     fn to_f64(self) -> f64 {
-        self.value
+        self.value()
     }
     fn widened(self) -> Self {
         self
@@ -175,15 +189,15 @@ impl Element for TracedOne {
         wide
     }
     fn bits(self) -> u64 {
-        self.value.to_bits()
+        self.value().to_bits()
     }
     fn from_bits(bits: u64) -> Self {
         Self::constant(f64::from_bits(bits))
     }
     fn sqrt(self) -> Self {
-        Self::noted(Noted::Free(3), [self], self.value.sqrt())
+        Self::noted(Noted::Free(3), [self], self.value().sqrt())
     }
     fn acos(self) -> Self {
-        Self::noted(Noted::Free(4), [self], self.value.acos())
+        Self::noted(Noted::Free(4), [self], self.value().acos())
     }
 }

@@ -46,10 +46,52 @@ pub enum Place {
     At(u32),
 }
 
-/// An operation with its operands, and what it depends on.
+/// A place in one word, which is how numbers and masks carry it: kernels in all their forms are hundreds
+/// of thousands of operations, and what each of them moves is code that has to be built.
+#[derive(Clone, Copy, Debug)]
+pub struct Word(u64);
+
+/// Upper half of the words that are numbers of operations: a NaN that no arithmetic makes.
+const OF_TAPE: u64 = 0x7ff8_ace0;
+
+impl Word {
+    /// A constant by its bits: of an f64, or 0 and 1 for a mask.
+    pub const fn constant(bits: u64) -> Self {
+        Word(bits)
+    }
+    /// Of a place.
+    pub fn of(place: Place) -> Self {
+        match place {
+            Place::Constant(bits) => Word(bits),
+            Place::At(at) => Word(OF_TAPE << 32 | u64::from(at)),
+        }
+    }
+    /// The place.
+    pub fn place(self) -> Place {
+        if self.0 >> 32 == OF_TAPE { Place::At(self.0 as u32) } else { Place::Constant(self.0) }
+    }
+    /// What a number is.
+    #[inline(never)]
+    pub fn value(self) -> f64 {
+        match self.place() {
+            Place::Constant(bits) => f64::from_bits(bits),
+            Place::At(at) => TAPE.with_borrow(|tape| tape.entries[at as usize].value),
+        }
+    }
+    /// What a mask is.
+    pub fn truth(self) -> bool {
+        match self.place() {
+            Place::Constant(bits) => bits != 0,
+            Place::At(_) => self.value() != 0.0,
+        }
+    }
+}
+
+/// An operation with its operands, its value, and what it depends on.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     noted: Noted,
+    value: f64,
     operands: [Option<Place>; 3],
     ray: bool,
     triangle: bool,
@@ -66,9 +108,10 @@ thread_local! {
     static TAPE: RefCell<Tape> = RefCell::new(Tape::default());
 }
 
-/// The result of an operation, noted unless it is known already.
+/// The result of an operation, noted unless it is known already. `value` is what it is as a number: 0
+/// or 1 for a mask.
 #[inline(never)]
-pub fn note(noted: Noted, operands: [Option<Place>; 3]) -> Place {
+pub fn note(noted: Noted, operands: [Option<Place>; 3], value: f64) -> Place {
     TAPE.with_borrow_mut(|tape| {
         if let Some(at) = tape.known.get(&(noted, operands)) {
             return Place::At(*at);
@@ -87,7 +130,7 @@ pub fn note(noted: Noted, operands: [Option<Place>; 3]) -> Place {
             }
         }
         let at = tape.entries.len() as u32;
-        tape.entries.push(Entry { noted, operands, ray, triangle });
+        tape.entries.push(Entry { noted, value, operands, ray, triangle });
         // Two rays' numbers are two, however alike.
         if !matches!(noted, Noted::OfRay | Noted::OfBoth) {
             tape.known.insert((noted, operands), at);

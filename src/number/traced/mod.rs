@@ -11,6 +11,7 @@ mod graph;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 pub use element::TracedOne;
+use graph::Word;
 pub use graph::{Needed, Noted, Place, needed, note};
 
 use super::{Mask, Real};
@@ -28,12 +29,12 @@ impl<const LANES: usize> Traced<LANES> {
     /// The same number, kept in memory and put into every lane from there.
     #[inline(never)]
     pub fn kept(self) -> Self {
-        let place = note(Noted::Kept, [Some(self.place()), None, None]);
-        Traced(TracedOne { place, ..self.0 })
+        let place = note(Noted::Kept, [Some(self.place()), None, None], self.0.value());
+        Traced(TracedOne::at(place))
     }
     /// Where it stands.
     pub fn place(self) -> Place {
-        self.0.place
+        self.0.place()
     }
     #[inline(never)]
     fn compared(self, which: u8, other: Self, truth: bool) -> TracedMask<LANES> {
@@ -43,33 +44,35 @@ impl<const LANES: usize> Traced<LANES> {
 
 /// Truth of a lane.
 #[derive(Clone, Copy, Debug)]
-pub struct TracedMask<const LANES: usize> {
-    place: Place,
-    truth: bool,
-}
+pub struct TracedMask<const LANES: usize>(Word);
 
 impl<const LANES: usize> TracedMask<LANES> {
     /// Where it stands.
     pub fn place(self) -> Place {
-        self.place
+        self.0.place()
+    }
+    fn at(place: Place) -> Self {
+        TracedMask(Word::of(place))
     }
     fn constant(truth: bool) -> Self {
-        TracedMask { place: Place::Constant(u64::from(truth)), truth }
+        TracedMask(Word::constant(u64::from(truth)))
     }
     #[inline(never)]
     fn of(noted: Noted, operands: [Place; 2], truth: bool) -> Self {
         if operands.iter().all(|place| matches!(place, Place::Constant(_))) {
             return Self::constant(truth);
         }
-        TracedMask { place: note(noted, [Some(operands[0]), Some(operands[1]), None]), truth }
+        let operands = [Some(operands[0]), Some(operands[1]), None];
+        Self::at(note(noted, operands, f64::from(u8::from(truth))))
     }
     /// `identity` is the truth value that leaves the other operand as it is.
     #[inline(never)]
     fn joined(self, other: Self, identity: bool) -> Self {
         let neutral = Place::Constant(u64::from(identity));
         let absorbing = Place::Constant(u64::from(!identity));
-        let truth = if identity { self.truth & other.truth } else { self.truth | other.truth };
-        match (self.place, other.place) {
+        let (one, two) = (self.0.truth(), other.0.truth());
+        let truth = if identity { one & two } else { one | two };
+        match (self.place(), other.place()) {
             (a, b) if a == neutral || a == b => other,
             (_, b) if b == neutral => self,
             (a, b) if a == absorbing || b == absorbing => Self::constant(!identity),
@@ -96,21 +99,22 @@ impl<const LANES: usize> Not for TracedMask<LANES> {
     type Output = Self;
     #[inline(never)]
     fn not(self) -> Self {
-        if let Place::Constant(_) = self.place {
-            return Self::constant(!self.truth);
+        let truth = !self.0.truth();
+        if let Place::Constant(_) = self.place() {
+            return Self::constant(truth);
         }
-        let place = note(Noted::Free(0), [Some(self.place), None, None]);
-        TracedMask { place, truth: !self.truth }
+        let operands = [Some(self.place()), None, None];
+        Self::at(note(Noted::Free(0), operands, f64::from(u8::from(truth))))
     }
 }
 
 impl<const LANES: usize> Mask for TracedMask<LANES> {
     const LANES: usize = LANES;
     fn any(self) -> bool {
-        self.truth
+        self.0.truth()
     }
     fn lane(self, _: usize) -> bool {
-        self.truth
+        self.0.truth()
     }
 }
 
@@ -165,23 +169,24 @@ impl<const LANES: usize> Real for Traced<LANES> {
     }
     #[inline(never)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
-        let chosen = if mask.truth { yes } else { no };
-        if matches!(mask.place, Place::Constant(_)) || yes.place() == no.place() {
+        let chosen = if mask.0.truth() { yes } else { no };
+        if matches!(mask.place(), Place::Constant(_)) || yes.place() == no.place() {
             return chosen;
         }
-        let operands = [Some(mask.place), Some(yes.place()), Some(no.place())];
-        Traced(TracedOne { place: note(Noted::Select, operands), value: chosen.0.value })
+        let operands = [Some(mask.place()), Some(yes.place()), Some(no.place())];
+        Traced(TracedOne::at(note(Noted::Select, operands, chosen.0.value())))
     }
     fn signed_by(self, sign: Self) -> Self {
         Traced(self.0.signed_by(sign.0))
     }
     #[inline(never)]
     fn sign_bit(self) -> Self::Mask {
+        let truth = self.0.sign_bit();
         if let Place::Constant(_) = self.place() {
-            return TracedMask::constant(self.0.sign_bit());
+            return TracedMask::constant(truth);
         }
-        let place = note(Noted::Free(1), [Some(self.place()), None, None]);
-        TracedMask { place, truth: self.0.sign_bit() }
+        let operands = [Some(self.place()), None, None];
+        TracedMask::at(note(Noted::Free(1), operands, f64::from(u8::from(truth))))
     }
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Traced(self.0.mul_add(factor.0, addend.0))
@@ -250,11 +255,11 @@ mod tests {
     #[test]
     fn values_are_those_of_the_numbers() {
         let (x, y) = (ray(2.0), triangle(0, -3.0));
-        assert_eq!((x - y).0.value, 5.0);
-        assert_eq!((x / y).0.value, -2.0 / 3.0);
-        assert_eq!(x.signed_by(y).0.value, -2.0);
-        assert_eq!(x.mul_add(y, y).0.value, -9.0);
-        assert_eq!(One::select(x.lt(y), x, y).0.value, -3.0);
+        assert_eq!((x - y).0.value(), 5.0);
+        assert_eq!((x / y).0.value(), -2.0 / 3.0);
+        assert_eq!(x.signed_by(y).0.value(), -2.0);
+        assert_eq!(x.mul_add(y, y).0.value(), -9.0);
+        assert_eq!(One::select(x.lt(y), x, y).0.value(), -3.0);
         assert!((x.gt(y) & !x.le(y)).any() && !(y.sign_bit() & x.sign_bit()).any());
         assert!((x.sign_bit() | y.sign_bit()).lane(0));
     }
