@@ -146,6 +146,7 @@ fn measure(
     let cancel = interrupt::flag();
     let bar = progress::bar(plans.iter().map(|plan| plan.blocks(profile)).sum());
     let mut wrong: Vec<String> = Vec::new();
+    instruments.share_patience(plans.len());
     for (plan, before) in plans.iter().zip(before) {
         let id = plan.experiment.id.clone();
         if let Before::Finished(before) = before {

@@ -20,6 +20,8 @@ pub struct Instruments {
     counters: Box<dyn Counters>,
     forget: Distraction,
     ruler: Box<dyn Ruler>,
+    /// What was asked for; else it is shared by all experiments of a run.
+    asked_patience: Option<u32>,
     patience: u32,
 }
 
@@ -37,7 +39,7 @@ impl Instruments {
                 "--pin: processor {cpu} is not allowed; allowed: auto, off, or one of {allowed:?}"
             )));
         }
-        let patience = patience(std::env::var_os(VARIABLE).as_deref())?;
+        let asked_patience = patience(std::env::var_os(VARIABLE).as_deref())?;
         let mut clock = WallClock::new();
         // Before the pinning, which would hide the other processors.
         let mut environment = Environment::capture(&mut clock);
@@ -63,7 +65,24 @@ impl Instruments {
             Some(kernel) => Box::new(NeighbourRuler::new(kernel, cpus, &mut clock)),
             None => Box::new(NoRuler),
         };
-        Ok((Instruments { clock, disturbance, counters, forget, ruler, patience }, environment))
+        Ok((
+            Instruments {
+                clock,
+                disturbance,
+                counters,
+                forget,
+                ruler,
+                asked_patience,
+                patience: PATIENCE,
+            },
+            environment,
+        ))
+    }
+
+    /// Shares the patience of a run among its experiments: many of them wait as long as a few, and each
+    /// of them once.
+    pub fn share_patience(&mut self, experiments: usize) {
+        self.patience = (RUN_PATIENCE / experiments.max(1) as u32).clamp(1, PATIENCE);
     }
 
     /// A bench for groups of so many rounds, whose rows go to `keep`.
@@ -78,7 +97,7 @@ impl Instruments {
             rounds,
             guards: true,
             calls: true,
-            patience: self.patience * (rounds / 64).max(1) as u32,
+            patience: self.asked_patience.unwrap_or(self.patience) * (rounds / 64).max(1) as u32,
             clock: &mut self.clock,
             disturbance: &mut self.disturbance,
             counters: self.counters.as_mut(),
@@ -101,14 +120,16 @@ const VARIABLE: &str = "RAY_TEST_PATIENCE";
 /// Groups of one experiment that are measured again beside a neighbour, for every 64 rounds: some
 /// seconds at most of a quick run.
 const PATIENCE: u32 = 6;
+/// The same of all experiments of a run: 20 s of a quick one.
+const RUN_PATIENCE: u32 = 36;
 /// More would be hours of waiting.
 const MOST_PATIENCE: u32 = 1000;
 
-/// The patience that the environment asks for, or the usual one.
-fn patience(asked: Option<&OsStr>) -> Result<u32, Failure> {
-    let Some(text) = asked.filter(|text| !text.is_empty()) else { return Ok(PATIENCE) };
+/// The patience that the environment asks for; `None` if it does not.
+fn patience(asked: Option<&OsStr>) -> Result<Option<u32>, Failure> {
+    let Some(text) = asked.filter(|text| !text.is_empty()) else { return Ok(None) };
     let number = text.to_str().and_then(|text| text.trim().parse().ok());
-    number.filter(|number| *number <= MOST_PATIENCE).ok_or_else(|| {
+    number.filter(|number| *number <= MOST_PATIENCE).map(Some).ok_or_else(|| {
         let text = text.to_string_lossy();
         Failure::Usage(format!(
             "{VARIABLE}: '{text}'; allowed: a whole number from 0 to {MOST_PATIENCE}"
@@ -137,10 +158,10 @@ mod tests {
     #[test]
     fn patience_is_a_small_whole_number() {
         let asked = |text: &str| patience(Some(OsStr::new(text)));
-        assert_eq!(patience(None).expect("usual"), PATIENCE);
-        assert_eq!(asked("").expect("as if it were not set"), PATIENCE);
-        assert_eq!(asked("0").expect("none"), 0);
-        assert_eq!(asked(" 1000 ").expect("the most"), 1000);
+        assert_eq!(patience(None).expect("usual"), None);
+        assert_eq!(asked("").expect("as if it were not set"), None);
+        assert_eq!(asked("0").expect("none"), Some(0));
+        assert_eq!(asked(" 1000 ").expect("the most"), Some(1000));
         for wrong in ["-1", "1001", "many", "1.5"] {
             let Err(Failure::Usage(message)) = asked(wrong) else { panic!("{wrong} was taken") };
             assert!(message.contains(wrong) && message.contains("allowed"), "{message}");

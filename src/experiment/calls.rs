@@ -14,6 +14,13 @@ use crate::table::Row;
 /// Half of a block of throughput: latencies differ by more than what the other half would add.
 const LATENCY_BLOCK_NS: u64 = 30_000;
 
+/// A quarter of the rounds of throughput: both figures are coarser than what more would add (a cold call
+/// is ten steps of a good clock, mostly the clock's own and the call's), and with as many rounds they
+/// would be two thirds of all blocks.
+pub fn call_rounds(rounds: usize) -> usize {
+    (rounds / 4).max(Protocol::LEAST_ROUNDS)
+}
+
 /// Reference, empty loop and chain.
 pub const CALL_CONTROLS: usize = 3;
 
@@ -46,7 +53,7 @@ pub fn measure(
     if places.iter().all(Option::is_none) {
         return Ok(());
     }
-    let protocol = Protocol { rounds: bench.rounds, ..Protocol::new(order, seed) };
+    let protocol = Protocol { rounds: call_rounds(bench.rounds), ..Protocol::new(order, seed) };
     let cold = Protocol { pace: Pace::Cold, ..protocol.clone() };
     put(&bench.measure_as(&mut group, &cold)?, &places, rows, put_cold);
     let dependent = |contestant: Contestant| match contestant.role {

@@ -1,7 +1,7 @@
 //! What an experiment will do, and how long it will take, before it does it.
 
 use super::bounds;
-use super::calls::CALL_CONTROLS;
+use super::calls::{CALL_CONTROLS, call_rounds};
 use super::cells::{CONTROLS, MOST_SUBJECTS};
 use super::codes::USUAL_EXITS;
 use super::config::{ConfigError, Experiment};
@@ -124,10 +124,12 @@ impl Plan {
 
     /// [`Plan::blocks`], of other orders.
     fn blocks_as(&self, profile: Profile, order_of: fn(Order) -> Order) -> usize {
-        let rounds = |contestants: usize, order: Order| {
-            let protocol = Protocol { rounds: profile.rounds(), ..Protocol::new(order, 0) };
+        let blocks_of = |rounds: usize, contestants: usize, order: Order| {
+            let protocol = Protocol { rounds, ..Protocol::new(order, 0) };
             protocol.planned_rounds(contestants) * contestants
         };
+        let usual = profile.rounds();
+        let rounds = |contestants: usize, order| blocks_of(usual, contestants, order);
         let ready = self.ready();
         let more = match &self.experiment.workload {
             Workload::Memory(sets) => return sets.blocks(&ready, profile.rounds()),
@@ -142,16 +144,16 @@ impl Plan {
             _ => 0,
         };
         let singles = ready.iter().filter(|variant| variant.lanes == 1).count();
-        let in_groups = |subjects: usize, controls: usize, order: Order| {
+        let in_groups = |rounds: usize, subjects: usize, controls: usize, order: Order| {
             let rest = match subjects % MOST_SUBJECTS {
                 0 => 0,
-                rest => rounds(rest + controls, order),
+                rest => blocks_of(rounds, rest + controls, order),
             };
-            subjects / MOST_SUBJECTS * rounds(MOST_SUBJECTS + controls, order) + rest
+            subjects / MOST_SUBJECTS * blocks_of(rounds, MOST_SUBJECTS + controls, order) + rest
         };
         // Single rays are measured three times: in a loop, cold, and each after the other.
-        let calls = 2 * in_groups(singles, CALL_CONTROLS, Order::Fixed);
-        let of_cell = |order: Order| in_groups(ready.len(), CONTROLS, order_of(order)) + calls;
+        let calls = 2 * in_groups(call_rounds(usual), singles, CALL_CONTROLS, Order::Fixed);
+        let of_cell = |order| in_groups(usual, ready.len(), CONTROLS, order_of(order)) + calls;
         let of_streams = |streams: usize| rounds(streams + CONTROLS, Order::Fixed);
         let bounds = if self.experiment.bounds { bounds::group_sizes() } else { Vec::new() };
         let cells: usize = self.cells().into_iter().map(|(_, order)| of_cell(order)).sum();
