@@ -56,10 +56,10 @@ fn kind(chapter: &Chapter) -> &'static str {
     }
 }
 
-/// The parts that have chapters. `inside` says whether pictures are drawn into the page.
-pub(super) fn parts(results: &Results, inside: bool) -> Result<Vec<Part>, ReportError> {
+/// The parts that have chapters.
+pub(super) fn parts(results: &Results) -> Result<Vec<Part>, ReportError> {
     let published = Published::embedded()?;
-    let mut drawn = Drawn { inside, number: 0, bytes: 0 };
+    let mut drawn = Drawn::default();
     let mut parts = Vec::new();
     for (anchor, title, belongs) in PARTS {
         let mut sections = Vec::new();
@@ -74,8 +74,8 @@ pub(super) fn parts(results: &Results, inside: bool) -> Result<Vec<Part>, Report
 }
 
 /// What was drawn into the page so far.
+#[derive(Default)]
 struct Drawn {
-    inside: bool,
     number: usize,
     bytes: usize,
 }
@@ -90,9 +90,9 @@ impl Drawn {
         published: &Published,
     ) -> Result<Plate, ReportError> {
         self.number += 1;
-        let inside = self.inside && self.bytes < PICTURES;
+        let inside = self.bytes < PICTURES;
         let mut plate = Plate::new(figure, rows, published, self.number, inside)?;
-        if self.inside && !inside {
+        if !inside {
             plate.table = Default::default();
         }
         self.bytes += plate.svg.len();
