@@ -107,7 +107,7 @@ pub fn draw_rounds(rounds: &[Round], folder: &Path) -> Result<(), Failure> {
     if rounds.is_empty() {
         return Ok(());
     }
-    let svg = timeline(rounds).map_err(|error| Failure::Runtime(error.into()))?;
+    let svg = timeline(rounds, false).map_err(|error| Failure::Runtime(error.into()))?;
     Ok(write_atomically(&folder.join(TIMELINE), svg.as_bytes())?)
 }
 

@@ -33,6 +33,8 @@ pub struct Behind<'a> {
     pub share: f64,
     /// Lower and upper end of that.
     pub interval: (f64, f64),
+    /// What copies of one kernel differ by there, as a share of their time.
+    pub floor: f64,
     /// Whether rows can tell the two apart.
     pub is_slower: bool,
 }
@@ -44,6 +46,7 @@ impl<'a> Behind<'a> {
             row: other.candidate.row,
             share: cost.share,
             interval: (cost.low, cost.high),
+            floor: cost.floor,
             is_slower: cost.is_measurable,
         }
     }

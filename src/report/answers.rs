@@ -98,11 +98,16 @@ fn shown(need: &str, question: &Question, choice: &Choice<'_>) -> Answer {
 /// The runner-up, and how much slower it is, where that can be told.
 fn behind(other: &Behind<'_>) -> String {
     let (low, high) = other.interval;
-    let ends = format!("[{}, {}]", percent(low), percent(high));
-    if other.is_slower {
-        return format!("{}, {} slower {ends}", other.row.id, percent(other.share));
-    }
-    format!("{}, no difference that can be measured {ends}", other.row.id)
+    let (slower, ends) = (percent(other.share), format!("[{}, {}]", percent(low), percent(high)));
+    let words = match (other.is_slower, low > 0.0) {
+        (true, _) => format!("{slower} slower {ends}"),
+        (false, true) => {
+            let floor = percent(other.floor);
+            format!("{slower} slower, less than copies of one kernel differ by ({floor})")
+        }
+        (false, false) => format!("no difference that can be measured {ends}"),
+    };
+    format!("{}, {words}", other.row.id)
 }
 
 /// What the figures do not say: what preparing has to do with the choice, and how the form bears

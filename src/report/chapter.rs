@@ -27,6 +27,9 @@ pub(super) struct Section {
     pub claims: Vec<String>,
     /// What is to be said of its rows: how many, and what is missing.
     pub rows: String,
+    /// Whether the table of its rows lies beside the report. That of the stiff cases is large and
+    /// the same on every machine, so that copies of a run may lack it: no link leads there.
+    pub has_table: bool,
     pub plates: Vec<Plate>,
     /// Figures that stand in files beside the report: file and question.
     pub linked: Vec<(String, String)>,
@@ -132,6 +135,7 @@ fn section(
         command: about.command.clone(),
         claims: about.claims.clone(),
         rows: rows(chapter),
+        has_table: !swept,
         plates,
         linked,
     })

@@ -7,7 +7,7 @@ use super::ledger::Ledger;
 use super::machine::Machine;
 use super::trust::{self, Check};
 use super::{cited, words};
-use crate::chart::{timeline, timeline_words};
+use crate::chart::{TIMELINE_QUESTION, timeline, timeline_words};
 use crate::claims::Finding;
 use crate::recommend::KnownVariant;
 use crate::results::Results;
@@ -27,6 +27,8 @@ pub(super) struct Page {
     pub trust_sentence: String,
     /// Picture of the rounds; empty where there are none.
     pub timeline: String,
+    /// What it answers.
+    pub timeline_question: &'static str,
     /// What it shows.
     pub timeline_words: String,
     /// Whether there are rounds to be shown.
@@ -63,7 +65,8 @@ impl Page {
             ledger: Ledger::new(results, findings),
             trust: trust::checks(results),
             trust_sentence: trust::sentence(results),
-            timeline: if has_timeline { timeline(&results.rounds)? } else { String::new() },
+            timeline: if has_timeline { timeline(&results.rounds, true)? } else { String::new() },
+            timeline_question: TIMELINE_QUESTION,
             timeline_words: timeline_words(&results.rounds),
             has_timeline,
             parts: parts(results)?,

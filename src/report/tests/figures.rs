@@ -158,3 +158,17 @@ fn numbers_are_written_unrounded_with_what_was_published() {
             .any(|line| line.starts_with(",badouel,1,seconds,") && line.ends_with(",,published"))
     );
 }
+
+#[test]
+fn no_link_leads_to_what_a_copy_may_lack() {
+    let stiff = Row { record: "knee".into(), ns_per_test: None, ..timed("a", 1.0) };
+    for (rows, has_link) in [(vec![timed("a", 1.0)], true), (vec![stiff], false)] {
+        let results = results(rows, &[TIMES]);
+        let pages = [html(&results, &[]), markdown(&results, &[])];
+        let links = ["href=\"first/rows.csv\"", "(first/rows.csv)"];
+        for (page, link) in pages.iter().zip(links) {
+            assert_eq!(page.contains(link), has_link, "{link}");
+            assert!(has_link || page.contains("the same on every machine"));
+        }
+    }
+}
