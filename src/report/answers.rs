@@ -88,7 +88,10 @@ fn shown(need: &str, question: &Question, choice: &Choice<'_>) -> Answer {
         time: time.map_or(String::new(), |time| with(time, times)),
         speed: time.map_or(String::new(), |time| with(1e3 / time, speeds)),
         error: choice.error.map_or(String::new(), short_figure),
-        runner_up: choice.other_kernel.as_ref().map_or(String::new(), behind),
+        runner_up: match &choice.other_kernel {
+            Some(other) => behind(other),
+            None => "no other kernel that was timed there fits".to_owned(),
+        },
         cell: cell_words(row),
         experiment: row.experiment.clone(),
         because: choice.because.clone(),

@@ -41,7 +41,7 @@ fn answer(answer: &Answer) -> String {
         figures.push(format!("error {}", answer.error));
     }
     if !answer.runner_up.is_empty() {
-        figures.push(format!("next {}", answer.runner_up));
+        figures.push(format!("next: {}", answer.runner_up));
     }
     if !answer.cell.is_empty() {
         figures.push(format!("{}: {}", answer.experiment, answer.cell));

@@ -141,7 +141,8 @@ fn growth(named: &Named<'_>, points: &[&Point], whole: bool) -> String {
     format!("{name} {change} from {x} {} to {}{values}", first.x, last.x)
 }
 
-fn x_name(named: &Named<'_>) -> String {
+/// How the column of the x is called.
+pub(super) fn x_name(named: &Named<'_>) -> String {
     let column = named.figure.x.list().first().map_or("x", String::as_str);
     column.replace('_', " ")
 }
@@ -160,6 +161,9 @@ pub(super) fn furthest(named: &Named<'_>, ours: &[Point], published: &[Point]) -
     });
     let (_, mine, theirs) = twins.max_by(|a, b| a.0.total_cmp(&b.0))?;
     let x = named.figure.x.list().join(", ").replace('_', " ");
+    if short_figure(theirs.y) == short_figure(mine.y) {
+        return Some("Every published figure is ours, to three digits.".to_owned());
+    }
     Some(format!(
         "The published figure that is furthest from ours is that of {} at {x} {}: {} there, {} here.",
         named.figure.label(&mine.series),
