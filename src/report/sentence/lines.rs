@@ -161,14 +161,16 @@ pub(super) fn furthest(named: &Named<'_>, ours: &[Point], published: &[Point]) -
     });
     let (_, mine, theirs) = twins.max_by(|a, b| a.0.total_cmp(&b.0))?;
     let x = named.figure.x.list().join(", ").replace('_', " ");
-    if short_figure(theirs.y) == short_figure(mine.y) {
-        return Some("Every published figure is ours, to three digits.".to_owned());
+    let (there, here) = (short_figure(theirs.y), named.value(mine));
+    let whose = format!("{} at {x} {}", named.figure.label(&mine.series), mine.x);
+    if there == short_figure(mine.y) {
+        let what = if named.figure.kind == Kind::Shares { "shares" } else { "figures" };
+        return Some(format!(
+            "The published {what} are ours: the furthest, that of {whose}, is {there} there and {here} \
+             here."
+        ));
     }
     Some(format!(
-        "The published figure that is furthest from ours is that of {} at {x} {}: {} there, {} here.",
-        named.figure.label(&mine.series),
-        mine.x,
-        short_figure(theirs.y),
-        named.value(mine)
+        "The published figure that is furthest from ours is that of {whose}: {there} there, {here} here."
     ))
 }
