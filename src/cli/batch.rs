@@ -18,6 +18,7 @@ use super::sweep::{of_profile, sweep_once};
 use super::{interrupt, lock, progress, shards, unfinished};
 use crate::experiment::{Experiment, Outcome, Plan, pattern_of, run as run_plan};
 use crate::measure::Environment;
+use crate::results::LoadError;
 use crate::stability::Sweep;
 use crate::workload::hash::Fnv;
 
@@ -200,7 +201,11 @@ fn conclude(
 /// a part.
 pub fn interrupted(folder: &Folder) -> Failure {
     let path = folder.path();
-    let draw = || draw_all(&read(&[path.to_owned()])?, path);
+    let draw = || match read(&[path.to_owned()]) {
+        // It was interrupted before anything was measured.
+        Err(LoadError::Nothing(_)) => Ok(()),
+        results => draw_all(&results?, path),
+    };
     // A picture that cannot be drawn does not change that everything else is saved.
     if !folder.is_of_shard()
         && let Err(failure) = draw()
