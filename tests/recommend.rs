@@ -77,3 +77,34 @@ fn what_cannot_be_answered_is_refused() {
         assert!(said.contains(message), "{arguments:?}: {said}");
     }
 }
+
+/// The cells of the table under a heading of a report in Markdown, without its head.
+fn table(report: &str, heading: &str) -> Vec<Vec<String>> {
+    let lines = report.lines().skip_while(|line| *line != heading).skip(1);
+    let lines = lines.skip_while(|line| !line.starts_with('|')).skip(2);
+    let cells =
+        |line: &str| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect();
+    lines.take_while(|line| line.starts_with('|')).map(cells).collect()
+}
+
+#[test]
+fn the_report_names_what_its_commands_name() {
+    let out = std::env::temp_dir().join(format!("ray_test-answers-{}", std::process::id()));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ray_test"));
+    let drawn = command.args(["report", FROM[1], "--out"]).arg(&out).output().unwrap();
+    let report = std::fs::read_to_string(out.join("report.md"));
+    std::fs::remove_dir_all(&out).ok();
+    assert_eq!(drawn.status.code(), Some(0), "{}", String::from_utf8_lossy(&drawn.stderr));
+    let answers = table(&report.unwrap(), "## Which kernel to take on this machine");
+    assert!(answers.len() >= 6, "{answers:?}");
+    for cells in answers {
+        let (variant, command) =
+            (cells[1].trim_matches('`'), cells.last().unwrap().trim_matches('`'));
+        let arguments: Vec<&str> = command.split(' ').skip(2).collect();
+        // The committed run knows levels that this processor may lack: then another form is named.
+        let named = answer(&arguments);
+        if !named["because"].to_string().contains("a level that this processor lacks") {
+            assert_eq!(named["variant"], variant, "{command}");
+        }
+    }
+}

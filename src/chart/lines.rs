@@ -85,7 +85,23 @@ fn plan(
     if ours.is_empty() {
         return Err(ChartError::Nothing("no value has a place on the axes".to_owned()));
     }
-    let all = || ours.iter().chain(&published);
+    let (x, y) = fitted_axes(figure, &ours, &published, &envelope)?;
+    let named: Vec<Point> = ours.iter().chain(&published).cloned().collect();
+    let crowds = envelope::crowds(figure, &ours);
+    let series =
+        envelope::by_standing_out(select::distinct(&named, |point| &point.series), &crowds);
+    let marks = Vec::new();
+    Ok((Plan { ours, published, envelope, marks, crowds, panels, series, x, y }, hidden))
+}
+
+/// Axes over all values, their intervals, the envelope and the reference.
+fn fitted_axes(
+    figure: &Figure,
+    ours: &[Point],
+    published: &[Point],
+    envelope: &[Point],
+) -> Result<(Axis, Axis), ChartError> {
+    let all = || ours.iter().chain(published);
     let xs: Vec<f64> = all().filter_map(Point::x_number).collect();
     let mut ys: Vec<f64> = all().map(|point| point.y).chain(figure.reference).collect();
     ys.extend(all().filter_map(|point| point.interval).flat_map(|(low, high)| [low, high]));
@@ -104,12 +120,7 @@ fn plan(
     } else {
         Axis::fitted(&ys, TICKS)
     };
-    let named: Vec<Point> = all().cloned().collect();
-    let crowds = envelope::crowds(figure, &ours);
-    let series =
-        envelope::by_standing_out(select::distinct(&named, |point| &point.series), &crowds);
-    let marks = Vec::new();
-    Ok((Plan { ours, published, envelope, marks, crowds, panels, series, x, y }, hidden))
+    Ok((x, y))
 }
 
 fn panels_drawn(

@@ -44,7 +44,7 @@ pub use published::{Measure, Published, PublishedPoint};
 pub use select::Point;
 pub use stability::stability_figures;
 pub use text::figure as short_figure;
-pub use timeline::{timeline, timeline_words};
+pub use timeline::{TIMELINE_QUESTION, timeline, timeline_words};
 pub use wanted::{Wanted, admits};
 
 use crate::table::Row;

@@ -13,11 +13,12 @@ use super::estimate::{dry_run, seconds_of_all};
 use super::failure::Failure;
 use super::folder::{Before, Folder};
 use super::instruments::Instruments;
-use super::publish::{publish, read};
+use super::publish::{draw_all, publish, read};
 use super::sweep::{of_profile, sweep_once};
-use super::{interrupt, lock, progress, rounds, shards, unfinished};
-use crate::experiment::{Experiment, Plan, pattern_of, run as run_plan};
+use super::{interrupt, lock, progress, shards, unfinished};
+use crate::experiment::{Experiment, Outcome, Plan, pattern_of, run as run_plan};
 use crate::measure::Environment;
+use crate::results::LoadError;
 use crate::stability::Sweep;
 use crate::workload::hash::Fnv;
 
@@ -164,8 +165,8 @@ fn measure(
         let mut progress = |blocks: usize| bar.inc(blocks as u64);
         let bench = &mut instruments.bench(profile.rounds(), &mut progress, cancel, &mut keeper);
         let outcome = run_plan(plan, bench)?;
-        let figures = folder.save(plan, &outcome)?;
-        bar.suspend(|| said(&id, &outcome, figures.len(), start.elapsed()));
+        folder.save(plan, &outcome)?;
+        bar.suspend(|| said(&id, &outcome, start.elapsed()));
         wrong.extend(outcome.wrong.iter().map(|variant| format!("{id}: {variant}")));
         if outcome.interrupted {
             bar.finish_and_clear();
@@ -190,7 +191,6 @@ fn conclude(
     {
         return Err(interrupted(folder));
     }
-    rounds::draw_timeline(folder.path())?;
     let results = read(&[folder.path().to_owned()])?;
     let summary = publish(&results, folder.path())?;
     // Everything is saved: a stdout that is closed does not change what came of it.
@@ -198,20 +198,29 @@ fn conclude(
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Wrong(wrong)) }
 }
 
-/// Says how to go on.
+/// Draws what was measured, and says how to go on. Parts have no figures: those of a part would show
+/// a part.
 pub fn interrupted(folder: &Folder) -> Failure {
+    let path = folder.path();
+    let draw = || match read(&[path.to_owned()]) {
+        // It was interrupted before anything was measured.
+        Err(LoadError::Nothing(_)) => Ok(()),
+        results => draw_all(&results?, path),
+    };
     // A picture that cannot be drawn does not change that everything else is saved.
-    if let Err(failure) = rounds::draw_timeline(folder.path()) {
+    if !folder.is_of_shard()
+        && let Err(failure) = draw()
+    {
         failure.print();
     }
     let arguments = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
-    let command = unfinished::resume_command(arguments, folder.path());
+    let command = unfinished::resume_command(arguments, path);
     eprintln!("what was measured is saved; to go on:\n  {command}");
     Failure::Interrupted
 }
 
 /// A line per experiment, on stderr.
-pub fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time: Duration) {
+pub fn said(id: &str, outcome: &Outcome, time: Duration) {
     let of = |status: &str| outcome.rows.iter().filter(|row| row.status == status).count();
     let mut notes = String::new();
     for status in ["skipped", "wrong-result", "invalid", "not-measured"] {
@@ -219,11 +228,7 @@ pub fn said(id: &str, outcome: &crate::experiment::Outcome, figures: usize, time
             notes += &format!(", {} {status}", of(status));
         }
     }
-    eprintln!(
-        "{id}: {} rows, {figures} figures, {:.1} s{notes}",
-        outcome.rows.len(),
-        time.as_secs_f64()
-    );
+    eprintln!("{id}: {} rows, {:.1} s{notes}", outcome.rows.len(), time.as_secs_f64());
 }
 
 /// What rows depend on besides experiment, program and machine.

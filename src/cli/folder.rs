@@ -10,7 +10,6 @@ use super::failure::Failure;
 use super::rounds::{self, ROUNDS, RoundsLog};
 use super::stored::workload_hash;
 use super::unfinished::Keeper;
-use crate::chart::{Published, draw};
 use crate::experiment::{Experiment, Outcome, Plan};
 use crate::measure::{Environment, now_rfc3339};
 use crate::results::{DESCRIPTION, JOURNAL, ROWS, TABLE};
@@ -160,35 +159,20 @@ impl Folder {
         self.file(&plan.experiment.id, TABLE)
     }
 
-    /// Writes the rows of an experiment, and its figures once it is finished, whose journal is
-    /// then removed; returns the figures' paths.
+    /// Writes the rows of an experiment; its journal is removed once it is finished. Figures are
+    /// drawn when nothing is measured any more.
     ///
     /// # Errors
-    /// When a file cannot be written or a figure not be drawn.
-    pub fn save(&self, plan: &Plan, outcome: &Outcome) -> Result<Vec<PathBuf>, Failure> {
+    /// When a file cannot be written.
+    pub fn save(&self, plan: &Plan, outcome: &Outcome) -> Result<(), Failure> {
         let id = &plan.experiment.id;
         write_csv(&self.table(plan), &outcome.rows)?;
-        let is_part = outcome.interrupted || self.shard.is_some();
-        let figures = if is_part { Vec::new() } else { self.draw(plan, outcome)? };
         // Last: it says that the experiment is complete.
         write_json(&self.file(id, ROWS), &self.run_file(plan, outcome)?)?;
         if !outcome.interrupted {
             std::fs::remove_file(self.file(id, JOURNAL))?;
         }
-        Ok(figures)
-    }
-
-    fn draw(&self, plan: &Plan, outcome: &Outcome) -> Result<Vec<PathBuf>, Failure> {
-        let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
-        let mut figures = Vec::new();
-        for figure in &plan.experiment.figure {
-            let svg = draw(figure, &outcome.rows, &published)
-                .map_err(|error| Failure::Runtime(error.into()))?;
-            let file = self.file(&plan.experiment.id, &format!("{}.svg", figure.file));
-            write_atomically(&file, svg.as_bytes())?;
-            figures.push(file);
-        }
-        Ok(figures)
+        Ok(())
     }
 
     fn run_file(&self, plan: &Plan, outcome: &Outcome) -> Result<RunFile, Failure> {

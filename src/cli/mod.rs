@@ -18,6 +18,7 @@ mod failure;
 mod folder;
 mod instruments;
 mod interrupt;
+mod known;
 mod list;
 mod lock;
 mod progress;

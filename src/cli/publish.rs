@@ -4,11 +4,14 @@ use std::path::{Path, PathBuf};
 
 use super::describe::describe;
 use super::failure::Failure;
-use super::rounds::rounds_of;
+use super::known::known_variants;
+use super::rounds::{draw_rounds, rounds_of};
 use crate::chart::{ChartError, Published, draw, placeholder};
 use crate::claims::{Ledger, judge, to_csv};
-use crate::report::{ReportError, figure_csv, html, markdown, terminal};
-use crate::results::{Chapter, Drawing, LoadError, ROWS, Results, TABLE, derived, drawings, load};
+use crate::report::{Report, ReportError, figure_csv};
+use crate::results::{
+    Chapter, Drawing, LoadError, ROWS, Results, Source, TABLE, derived, drawings, load,
+};
 use crate::table::{Row, write_atomically, write_csv};
 
 /// What folders hold, with what follows from it: the mixture of return codes, behind their shares.
@@ -27,33 +30,56 @@ pub fn read(folders: &[PathBuf]) -> Result<Results, LoadError> {
     Ok(results)
 }
 
-/// Draws every figure into the folder of its experiment under `out`, with its numbers beside it, and
-/// writes verdicts and report; gives the summary that a terminal shows.
+/// Draws what there is to be drawn, and writes verdicts and report; gives the summary that a terminal
+/// shows.
 ///
 /// # Errors
-/// When a file cannot be written. A figure that its rows do not fit becomes a picture that says so.
+/// When a file cannot be written.
 pub fn publish(results: &Results, out: &Path) -> Result<String, Failure> {
-    let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
-    for chapter in &results.chapters {
-        let folder = out.join(&chapter.about.id);
-        std::fs::create_dir_all(&folder)?;
-        if chapter.about.command.is_empty() && !folder.join(ROWS).exists() {
-            // Nobody has measured these: they follow from the rows of others.
-            write_csv(&folder.join(TABLE), &chapter.rows)?;
-        }
-        for drawing in drawings(chapter, &results.sources) {
-            let svg = drawn(&drawing, chapter, &published)?;
-            write_atomically(&folder.join(format!("{}.svg", drawing.file)), svg.as_bytes())?;
-            let numbers = figure_csv(&drawing.figure, drawing.rows)?;
-            write_atomically(&folder.join(format!("{}.csv", drawing.file)), &numbers)?;
-        }
-    }
+    draw_all(results, out)?;
     let rows: Vec<&Row> = results.rows().collect();
     let findings = judge(&Ledger::embedded()?, &rows);
     write_atomically(&out.join("claims.csv"), &to_csv(&findings))?;
-    write_atomically(&out.join("report.md"), markdown(results, &findings)?.as_bytes())?;
-    write_atomically(&out.join("report.html"), html(results, &findings)?.as_bytes())?;
-    Ok(terminal(results, &findings))
+    let report = Report::new(results, &findings, &known_variants())?;
+    write_atomically(&out.join("report.md"), report.markdown()?.as_bytes())?;
+    write_atomically(&out.join("report.html"), report.html()?.as_bytes())?;
+    Ok(report.terminal())
+}
+
+/// Draws the figures of every experiment into its folder under `out`, and the rounds. It is called
+/// once at the end of a run, and where one is interrupted: nothing is drawn while there is yet to be
+/// measured.
+///
+/// # Errors
+/// When a file cannot be written. A figure that its rows do not fit becomes a picture that says so.
+pub fn draw_all(results: &Results, out: &Path) -> Result<(), Failure> {
+    for chapter in &results.chapters {
+        let folder = out.join(&chapter.about.id);
+        std::fs::create_dir_all(&folder)?;
+        // Some follow from the rows of others: nobody has measured them.
+        let is_derived = chapter.about.command.is_empty() && !folder.join(ROWS).exists();
+        if is_derived || !folder.join(TABLE).exists() {
+            write_csv(&folder.join(TABLE), &chapter.rows)?;
+        }
+        draw_chapter(chapter, &results.sources, &folder)?;
+    }
+    draw_rounds(&results.rounds, out)
+}
+
+/// Draws the figures of an experiment, each with its numbers beside it; gives how many.
+///
+/// # Errors
+/// As [`draw_all`].
+pub fn draw_chapter(chapter: &Chapter, sources: &[Source], to: &Path) -> Result<usize, Failure> {
+    let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
+    let drawings = drawings(chapter, sources);
+    for drawing in &drawings {
+        let svg = drawn(drawing, chapter, &published)?;
+        write_atomically(&to.join(format!("{}.svg", drawing.file)), svg.as_bytes())?;
+        let numbers = figure_csv(&drawing.figure, drawing.rows)?;
+        write_atomically(&to.join(format!("{}.csv", drawing.file)), &numbers)?;
+    }
+    Ok(drawings.len())
 }
 
 impl From<ReportError> for Failure {

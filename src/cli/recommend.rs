@@ -8,13 +8,10 @@ use serde_json::json;
 
 use super::arguments::Format;
 use super::failure::Failure;
+use super::known::known_variants;
 use super::recommend_rows;
 use super::show::{Sheet, print};
-use crate::kernels::listings::Listing;
-use crate::kernels::{Edges, ExactSign, Fallback, OneIndex, Projection, ThreeIndices};
-use crate::policy::{Plain, Rounding, SignBits, Tests};
-use crate::recommend::{KnownVariant, Needs, Question, RecommendError, Recommendation, recommend};
-use crate::registry::{ListingVisitor, Variant, asked, variants, visit_listings};
+use crate::recommend::{Needs, Packets, Question, RecommendError, Recommendation, recommend};
 
 /// What is said below the options.
 pub const HELP: &str = "Examples:
@@ -22,6 +19,7 @@ pub const HELP: &str = "Examples:
   ray_test recommend --precision f32 --needs t --rays-per-triangle 8
   ray_test recommend --watertight --from results/mine --format json
   ray_test recommend --tolerance 1e-6 --packets
+  ray_test recommend --precision f32 --common-origin
 
 Nothing is measured. Times are those of the newest run under results/, or of the folders of --from; run
 `ray_test reproduce` first. Rays that no predictor can foresee decide (order `reshuffled`). Exit code 2 if
@@ -49,6 +47,9 @@ pub struct Recommend {
     /// Packets of rays will do as well as single rays
     #[arg(long)]
     pub packets: bool,
+    /// Packets of rays that start in one point will do as well
+    #[arg(long)]
+    pub common_origin: bool,
     /// Folders of results, of one machine [default: the newest under results/]
     #[arg(long, value_name = "DIR", num_args = 1..)]
     pub from: Vec<PathBuf>,
@@ -86,7 +87,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 /// Usage for folders without rows, and where nothing that was timed fits.
 pub fn run(arguments: &Recommend) -> Result<(), Failure> {
     let results = recommend_rows::read(&arguments.from)?;
-    let found = recommend(&results, &question(arguments), &known())?;
+    let found = recommend(&results, &question(arguments), &known_variants())?;
     match arguments.format {
         Format::Text => write!(std::io::stdout(), "{}", text(&found))?,
         Format::Csv => print(&sheet(&found), Format::Csv)?,
@@ -115,59 +116,11 @@ fn question(arguments: &Recommend) -> Question {
         rays_per_triangle: arguments.rays_per_triangle,
         watertight: arguments.watertight,
         tolerance: arguments.tolerance,
-        packets: arguments.packets,
-    }
-}
-
-/// Every variant of this program.
-fn known() -> Vec<KnownVariant> {
-    struct Listed(Vec<&'static str>);
-    impl ListingVisitor for Listed {
-        fn listing<K: Listing>(&mut self, _division: &'static str) {
-            self.0.push(K::ABOUT.id);
-        }
-    }
-    let mut listed = Listed(Vec::new());
-    visit_listings(&mut listed);
-    let variant = |variant: &Variant| KnownVariant {
-        id: variant.id(),
-        available: (variant.available)(),
-        watertight: is_watertight(variant),
-        limits: limits(variant, &listed.0).to_owned(),
-        call: variant.call(),
-    };
-    variants().iter().map(variant).collect()
-}
-
-/// Whether the form keeps what makes its kernel watertight: sums of products that are not fused, or
-/// signs that are exact whatever the rounding.
-fn is_watertight(variant: &Variant) -> bool {
-    let axes = &variant.axes;
-    let is_plain = axes.edges == Fallback::NAME && axes.rounding == Plain::NAME;
-    variant.about.watertight && (is_plain || axes.edges == ExactSign::NAME)
-}
-
-/// What a form does not do for any ray and triangle; empty if there is nothing.
-fn limits(variant: &Variant, listings: &[&str]) -> &'static str {
-    let axes = &variant.axes;
-    let is_segment =
-        asked().iter().any(|form| form.is_segment && form.about.id == variant.about.id);
-    if listings.contains(&axes.kernel) {
-        "answer for the line, without a distance test (published listings)"
-    } else if is_segment {
-        "answer for the segment to an end point"
-    } else if axes.query != "ray" {
-        "answer for points"
-    } else if variant.is_peer() {
-        "are of other crates"
-    } else if axes.cull == "on" {
-        "see front faces only"
-    } else if !["", OneIndex::NAME, ThreeIndices::NAME].contains(&axes.projection) {
-        "want triangles of one axis, or sorted by it"
-    } else if axes.tests == SignBits::NAME {
-        "lose hits on boundaries (sign bits as printed)"
-    } else {
-        ""
+        packets: match (arguments.common_origin, arguments.packets) {
+            (true, _) => Packets::FromOnePoint,
+            (false, true) => Packets::OfAnyRays,
+            (false, false) => Packets::None,
+        },
     }
 }
 
@@ -241,6 +194,7 @@ impl From<RecommendError> for Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::Parser;
 
     #[test]
     fn texts_keep_to_the_width() {
@@ -250,26 +204,33 @@ mod tests {
     }
 
     #[test]
-    fn tolerances_are_positive_numbers() {
-        assert_eq!(tolerance("1e-6"), Ok(1e-6));
-        for wrong in ["0", "-1", "inf", "NaN", "small"] {
-            assert!(tolerance(wrong).is_err(), "{wrong}");
+    fn a_question_in_words_is_understood_as_it_was_meant() {
+        #[derive(clap::Parser)]
+        struct Parsed {
+            #[command(flatten)]
+            recommend: Recommend,
+        }
+        let all = Question {
+            precision: Some("f64".to_owned()),
+            needs: Needs::T,
+            rays_per_triangle: Some(7),
+            watertight: true,
+            tolerance: Some(2.5e-7),
+            packets: Packets::OfAnyRays,
+        };
+        let from_one = Question { packets: Packets::FromOnePoint, ..Question::default() };
+        for meant in [all, from_one, Question::default()] {
+            let words = format!("recommend{}", meant.arguments());
+            let parsed = Parsed::try_parse_from(words.split(' ')).expect(&words);
+            assert_eq!(question(&parsed.recommend), meant, "{words}");
         }
     }
 
     #[test]
-    fn only_what_keeps_its_signs_is_watertight_and_listings_are_limited() {
-        let known = known();
-        let find = |id: &str| known.iter().find(|variant| variant.id == id).expect(id);
-        assert!(find("woop-watertight/f32/single/sse2/early/last/plain/tuv").watertight);
-        assert!(!find("woop-watertight/f32/single/avx2/early/last/fused/tuv").watertight);
-        assert!(!find("wald/f32/single/sse2/early/last/plain/tuv").watertight);
-        assert!(find("wald/f32/single/sse2/early/last/plain/tuv").limits.is_empty());
-        for limited in [
-            "moller1/f32/single/sse2/early/last/plain/t",
-            "chirkov/f32/single/sse2/early/last/plain/tuv",
-        ] {
-            assert!(!find(limited).limits.is_empty(), "{limited}");
+    fn tolerances_are_positive_numbers() {
+        assert_eq!(tolerance("1e-6"), Ok(1e-6));
+        for wrong in ["0", "-1", "inf", "NaN", "small"] {
+            assert!(tolerance(wrong).is_err(), "{wrong}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The rounds of a run: taken down group by group, drawn at its end.
+//! The rounds of a run: taken down group by group, drawn with its figures.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -99,16 +99,15 @@ pub fn last_s(folder: &Path) -> f64 {
     rounds.last().map_or(0.0, |round| round.at_s)
 }
 
-/// Draws the rounds in the folder of a run, if there are any.
+/// Draws rounds into the folder of a run, if there are any.
 ///
 /// # Errors
-/// When they cannot be read, or the picture not be written.
-pub fn draw_timeline(folder: &Path) -> Result<(), Failure> {
-    let rounds = rounds_of(folder)?;
+/// When the picture cannot be drawn or written.
+pub fn draw_rounds(rounds: &[Round], folder: &Path) -> Result<(), Failure> {
     if rounds.is_empty() {
         return Ok(());
     }
-    let svg = timeline(&rounds).map_err(|error| Failure::Runtime(error.into()))?;
+    let svg = timeline(rounds, false).map_err(|error| Failure::Runtime(error.into()))?;
     Ok(write_atomically(&folder.join(TIMELINE), svg.as_bytes())?)
 }
 
@@ -132,7 +131,7 @@ mod tests {
         let mut log = RoundsLog::begin(&folder, last_s(&run), true).expect("it can be written");
         log.take_down(&Protocol { pace: Pace::Cold, ..protocol.clone() }, &[trace(500_000_000)]);
         let kept = rounds_of(&run).expect("they can be read");
-        let drawn = draw_timeline(&run).is_ok() && run.join(TIMELINE).is_file();
+        let drawn = draw_rounds(&kept, &run).is_ok() && run.join(TIMELINE).is_file();
         RoundsLog::begin(&folder, 0.0, false).expect("it can be written");
         let anew = rounds_of(&run).expect("they can be read");
         std::fs::remove_dir_all(&run).ok();

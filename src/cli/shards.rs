@@ -86,8 +86,8 @@ pub fn carry_out(
         // There is nothing to go on with within an experiment: its journal says that it has begun.
         folder.begin(plan, Before::Nothing)?;
         let outcome = run_shard(plan, shard, cancel)?;
-        let figures = folder.save(plan, &outcome)?;
-        bar.suspend(|| said(id, &outcome, figures.len(), start.elapsed()));
+        folder.save(plan, &outcome)?;
+        bar.suspend(|| said(id, &outcome, start.elapsed()));
         bar.inc(1);
         if outcome.interrupted {
             bar.finish_and_clear();

@@ -10,7 +10,7 @@ use super::arguments::Format;
 use super::failure::Failure;
 use super::folder::Folder;
 use super::show::print;
-use super::sweep::sweep_into;
+use super::sweep::{draw, sweep_into};
 use super::{shards, stability_tables};
 use crate::measure::Environment;
 use crate::shard::Shard;
@@ -92,6 +92,9 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
         folder.path().display()
     );
     let outcome = sweep_into(&folder, &sweep)?;
+    if outcome.complete && !folder.is_of_shard() {
+        eprintln!("{} figures", draw(&folder, &outcome)?);
+    }
     match arguments.format {
         Format::Text => write!(std::io::stdout(), "{}", stability_tables::text(&outcome.rows))?,
         format => print(&stability_tables::sheet(&outcome.rows), format)?,

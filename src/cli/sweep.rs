@@ -4,15 +4,16 @@ use std::time::Instant;
 
 use super::failure::Failure;
 use super::folder::Folder;
+use super::publish::draw_chapter;
 use super::stored::workload_hash;
 use super::{interrupt, progress};
-use crate::chart::{Published, draw, stability_figures};
+use crate::chart::stability_figures;
 use crate::experiment::Profile;
-use crate::results::{ROWS, TABLE};
+use crate::results::{About, Chapter, ROWS, TABLE};
 use crate::shard::Shard;
 use crate::spread::Watch;
 use crate::stability::{Depth, EXPERIMENT, Form, Outcome, Sweep, families, forms};
-use crate::table::{RunFile, SCHEMA_VERSION, write_atomically, write_csv, write_json};
+use crate::table::{RunFile, SCHEMA_VERSION, write_csv, write_json};
 
 /// The sweep of a run of that profile, over the forms that a filter lets through; `None` if it lets
 /// none through.
@@ -46,7 +47,7 @@ fn text_of(sweep: &Sweep) -> String {
     )
 }
 
-/// Sweeps, shows how far it is, writes rows and figures.
+/// Sweeps, shows how far it is, writes rows.
 ///
 /// # Errors
 /// When a file cannot be written.
@@ -57,9 +58,9 @@ pub fn sweep_into(folder: &Folder, sweep: &Sweep) -> Result<Outcome, Failure> {
     let done = |_: usize| bar.inc(1);
     let outcome = sweep.run(&Watch { cancel: interrupt::flag(), done: &done, threads: None });
     bar.finish_and_clear();
-    let figures = save(folder, &outcome, sweep)?;
+    save(folder, &outcome, sweep)?;
     let seconds = start.elapsed().as_secs_f64();
-    eprintln!("{EXPERIMENT}: {} rows, {figures} figures, {seconds:.1} s", outcome.rows.len());
+    eprintln!("{EXPERIMENT}: {} rows, {seconds:.1} s", outcome.rows.len());
     Ok(outcome)
 }
 
@@ -76,19 +77,22 @@ pub fn sweep_once(folder: &Folder, sweep: &Sweep, resume: bool) -> Result<bool, 
     Ok(sweep_into(folder, sweep)?.complete)
 }
 
-/// Writes rows and figures; returns how many figures.
-fn save(folder: &Folder, outcome: &Outcome, sweep: &Sweep) -> Result<usize, Failure> {
+/// Draws the figures of a whole sweep that stands alone; gives how many.
+///
+/// # Errors
+/// When a file cannot be written.
+pub fn draw(folder: &Folder, outcome: &Outcome) -> Result<usize, Failure> {
+    let figures = stability_figures(&outcome.rows);
+    let about = About { figures, ..About::unknown(EXPERIMENT) };
+    let chapter = Chapter { about, rows: outcome.rows.clone(), ..Chapter::default() };
+    draw_chapter(&chapter, &[], &folder.path().join(EXPERIMENT))
+}
+
+/// Writes the rows.
+fn save(folder: &Folder, outcome: &Outcome, sweep: &Sweep) -> Result<(), Failure> {
     let path = folder.path().join(EXPERIMENT);
     std::fs::create_dir_all(&path)?;
     write_csv(&path.join(TABLE), &outcome.rows)?;
-    let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
-    let is_whole = outcome.complete && !folder.is_of_shard();
-    let figures = if is_whole { stability_figures(&outcome.rows) } else { Vec::new() };
-    for figure in &figures {
-        let svg = draw(figure, &outcome.rows, &published)
-            .map_err(|error| Failure::Runtime(error.into()))?;
-        write_atomically(&path.join(format!("{}.svg", figure.file)), svg.as_bytes())?;
-    }
     let environment = folder.circumstances(&text_of(sweep), outcome.complete, &outcome.places)?;
     let run = RunFile {
         schema_version: SCHEMA_VERSION.to_owned(),
@@ -98,6 +102,5 @@ fn save(folder: &Folder, outcome: &Outcome, sweep: &Sweep) -> Result<usize, Fail
         rows: outcome.rows.clone(),
     };
     // Last: it says that everything is there.
-    write_json(&path.join(ROWS), &run)?;
-    Ok(figures.len())
+    Ok(write_json(&path.join(ROWS), &run)?)
 }

@@ -1,8 +1,8 @@
 //! The sentences that say why.
 
-use super::answer::{Cost, Found, folders};
 use super::arena::{Arena, Ranked};
 use super::evidence::Leaks;
+use super::found::{Cost, Found, folders};
 use super::place::{counted, figure, percent, place, setting};
 use super::settings::{elsewhere, without};
 use serde_json::Value;
@@ -22,7 +22,6 @@ pub(super) fn sentences(found: &Found<'_>) -> Vec<String> {
         elsewhere(found),
         without(found),
         (!found.left_out.is_empty()).then(|| format!("Left out: {}.", found.left_out)),
-        Some(measured_on(found)),
     ];
     all.into_iter().flatten().collect()
 }
@@ -91,12 +90,9 @@ fn next(found: &Found<'_>) -> Option<String> {
 
 /// What the best form of another kernel costs, where the next best is of the same one.
 fn other_kernel(found: &Found<'_>) -> Option<String> {
-    let (best, ranked) = (found.best(), &found.arena().ranked);
-    let kernel = &best.candidate.row.kernel;
-    let place = ranked.iter().position(|one| one.candidate.row.kernel != *kernel)?;
-    let other = ranked.get(place).filter(|_| place > 1)?;
-    let id = &other.candidate.row.id;
-    Some(format!("The best of another kernel, {id}, {} {}.", costs(other, best), at(other)))
+    let (_, other) = found.other_kernel().filter(|(place, _)| *place > 1)?;
+    let (id, costs) = (&other.candidate.row.id, costs(other, found.best()));
+    Some(format!("The best of another kernel, {id}, {costs} {}.", at(other)))
 }
 
 fn order(found: &Found<'_>) -> String {
@@ -208,7 +204,8 @@ fn tolerance(found: &Found<'_>) -> Option<String> {
     ))
 }
 
-fn measured_on(found: &Found<'_>) -> String {
+/// Where the rows are from, and what they were measured on.
+pub(super) fn measured_on(found: &Found<'_>) -> String {
     let folders = folders(found.results);
     let sources = found.results.sources.iter();
     let facts = sources.filter_map(|source| {

@@ -114,18 +114,7 @@ fn form_fits(row: &Row, known: &KnownVariant, question: &Question) -> Result<(),
     if Needs::reported(&row.output).is_none_or(|reported| reported < question.needs) {
         return Err(format!("report less than {}", question.needs.word()));
     }
-    if !row.drive.starts_with("single") {
-        let is_packet = row.drive.starts_with("packet");
-        if !is_packet {
-            return Err("take rays or triangles by groups or bundles".to_owned());
-        }
-        if !question.packets {
-            return Err("take rays in packets".to_owned());
-        }
-        if row.drive.contains('-') {
-            return Err("take rays that share an origin or a direction".to_owned());
-        }
-    }
+    question.packets.admit(&row.drive)?;
     if !known.available {
         return Err("need a level that this processor lacks".to_owned());
     }

@@ -1,5 +1,8 @@
 //! Stored rows -> the variant to take, the rows that say so, and what the next best costs.
 //!
+//! This is the only rule by which anything is chosen: [`recommend`] puts it into words for whoever
+//! asks, and the report asks it ([`choose`]) the questions that it answers at its top.
+//!
 //! Only times of the same rays, triangles and order are held against each other (`arena`). What a
 //! variant can do beyond its rows comes from outside, as [`KnownVariant`]: nothing here can run one.
 
@@ -7,7 +10,9 @@ mod answer;
 mod arena;
 mod because;
 mod candidates;
+mod choice;
 mod evidence;
+mod found;
 mod place;
 mod preparing;
 mod question;
@@ -16,7 +21,8 @@ mod settings;
 mod tests;
 
 pub use answer::{Recommendation, recommend};
-pub use question::{KnownVariant, Needs, Question};
+pub use choice::{Behind, Choice, choose};
+pub use question::{KnownVariant, Needs, Packets, Question};
 
 /// Why nothing can be recommended.
 #[derive(Debug, thiserror::Error, PartialEq)]

@@ -32,6 +32,38 @@ impl Needs {
     }
 }
 
+/// Which packets of rays will do beside single rays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Packets {
+    /// None: rays come one by one.
+    #[default]
+    None,
+    /// Those of any rays.
+    OfAnyRays,
+    /// Those as well whose rays start in one point.
+    FromOnePoint,
+}
+
+impl Packets {
+    /// Whether a form with that word in the column `drive` will do.
+    ///
+    /// # Errors
+    /// Why not, as the end of "left out: 3 that ...".
+    pub(super) fn admit(self, drive: &str) -> Result<(), &'static str> {
+        if drive.starts_with("single") {
+            return Ok(());
+        }
+        let Some(rays) = drive.strip_prefix("packet") else {
+            return Err("take rays or triangles by groups or bundles");
+        };
+        match (self, rays.split_once('-').map(|(_, shared)| shared)) {
+            (Packets::None, _) => Err("take rays in packets"),
+            (_, None) | (Packets::FromOnePoint, Some("common-origin")) => Ok(()),
+            _ => Err("take rays that share an origin or a direction"),
+        }
+    }
+}
+
 /// What is asked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Question {
@@ -46,8 +78,31 @@ pub struct Question {
     pub watertight: bool,
     /// Largest allowed absolute error of a barycentric weight, at the 99th percentile of random hits.
     pub tolerance: Option<f64>,
-    /// Packets of rays are allowed beside single rays.
-    pub packets: bool,
+    /// The packets of rays that are allowed beside single rays.
+    pub packets: Packets,
+}
+
+impl Question {
+    /// The arguments of `ray_test recommend` that ask it, each behind a space.
+    pub fn arguments(&self) -> String {
+        let mut words = String::new();
+        let mut put = |word: String| words += &format!(" --{word}");
+        self.precision.iter().for_each(|precision| put(format!("precision {precision}")));
+        if self.needs != Needs::default() {
+            put(format!("needs {}", self.needs.word()));
+        }
+        self.rays_per_triangle.iter().for_each(|rays| put(format!("rays-per-triangle {rays}")));
+        if self.watertight {
+            put("watertight".to_owned());
+        }
+        self.tolerance.iter().for_each(|tolerance| put(format!("tolerance {tolerance:e}")));
+        match self.packets {
+            Packets::None => {}
+            Packets::OfAnyRays => put("packets".to_owned()),
+            Packets::FromOnePoint => put("common-origin".to_owned()),
+        }
+        words
+    }
 }
 
 /// What the program knows of one of its variants.

@@ -1,7 +1,7 @@
 //! What the other arenas say of the variant that one arena chose.
 
-use super::answer::{Cost, Found};
 use super::arena::Ranked;
+use super::found::{Cost, Found};
 use super::place::{counted, figure, percent, place};
 
 /// So many settings are named where another form is ahead.

@@ -27,6 +27,9 @@ pub(super) struct Section {
     pub claims: Vec<String>,
     /// What is to be said of its rows: how many, and what is missing.
     pub rows: String,
+    /// Whether the table of its rows lies beside the report. That of the stiff cases is large and
+    /// the same on every machine, so that copies of a run may lack it: no link leads there.
+    pub has_table: bool,
     pub plates: Vec<Plate>,
     /// Figures that stand in files beside the report: file and question.
     pub linked: Vec<(String, String)>,
@@ -56,10 +59,10 @@ fn kind(chapter: &Chapter) -> &'static str {
     }
 }
 
-/// The parts that have chapters. `inside` says whether pictures are drawn into the page.
-pub(super) fn parts(results: &Results, inside: bool) -> Result<Vec<Part>, ReportError> {
+/// The parts that have chapters.
+pub(super) fn parts(results: &Results) -> Result<Vec<Part>, ReportError> {
     let published = Published::embedded()?;
-    let mut drawn = Drawn { inside, number: 0, bytes: 0 };
+    let mut drawn = Drawn::default();
     let mut parts = Vec::new();
     for (anchor, title, belongs) in PARTS {
         let mut sections = Vec::new();
@@ -74,8 +77,8 @@ pub(super) fn parts(results: &Results, inside: bool) -> Result<Vec<Part>, Report
 }
 
 /// What was drawn into the page so far.
+#[derive(Default)]
 struct Drawn {
-    inside: bool,
     number: usize,
     bytes: usize,
 }
@@ -90,9 +93,9 @@ impl Drawn {
         published: &Published,
     ) -> Result<Plate, ReportError> {
         self.number += 1;
-        let inside = self.inside && self.bytes < PICTURES;
+        let inside = self.bytes < PICTURES;
         let mut plate = Plate::new(figure, rows, published, self.number, inside)?;
-        if self.inside && !inside {
+        if !inside {
             plate.table = Default::default();
         }
         self.bytes += plate.svg.len();
@@ -132,6 +135,7 @@ fn section(
         command: about.command.clone(),
         claims: about.claims.clone(),
         rows: rows(chapter),
+        has_table: !swept,
         plates,
         linked,
     })

@@ -1,8 +1,8 @@
 //! Rows, charts and verdicts -> HTML, Markdown, terminal: answers first, then what they rest on.
 //!
 //! ```text
-//! results, findings ─> page (what is said) ─> templates (how it looks)
-//!                       ├ answers, trust, ledger: the top
+//! results, findings ─> page (what is said) ─> templates, terminal (how it looks)
+//!                       ├ answers (chosen by `recommend`), trust, ledger: the top
 //!                       └ chapter ─> figure ─> picture, sentence, table
 //! ```
 //! The same results give the same bytes.
@@ -15,9 +15,9 @@ mod ledger;
 mod machine;
 mod numbers;
 mod page;
-mod robust;
 mod sense;
 mod sentence;
+mod stiff;
 mod terminal;
 #[cfg(test)]
 mod tests;
@@ -25,10 +25,10 @@ mod trust;
 mod words;
 
 pub use numbers::figure_csv;
-pub use terminal::terminal;
 
 use crate::chart::ChartError;
 use crate::claims::Finding;
+use crate::recommend::KnownVariant;
 use crate::results::Results;
 use askama::Template;
 use page::Page;
@@ -59,21 +59,43 @@ struct Markdown<'a> {
     page: &'a Page,
 }
 
-/// The report as one HTML file: pictures inside, no script, nothing fetched. Links lead to files
-/// beside it (`<experiment>/rows.csv`, `<experiment>/<figure>.csv`).
-///
-/// # Errors
-/// The published figures cannot be read, or a template cannot be filled.
-pub fn html(results: &Results, findings: &[Finding]) -> Result<String, ReportError> {
-    let page = Page::new(results, findings, true)?;
-    Ok(Html { page: &page }.render()?)
-}
+/// Everything that is said of results, ready to be shown in three ways.
+pub struct Report(Page);
 
-/// The report in GitHub's Markdown; pictures are the files beside it.
-///
-/// # Errors
-/// As [`html`].
-pub fn markdown(results: &Results, findings: &[Finding]) -> Result<String, ReportError> {
-    let page = Page::new(results, findings, false)?;
-    Ok(Markdown { page: &page }.render()?)
+impl Report {
+    /// Puts it together, pictures and all. `known` is what the program knows of its variants, as
+    /// [`recommend`](crate::recommend::recommend) takes it.
+    ///
+    /// # Errors
+    /// The published figures cannot be read, or rows not be written.
+    pub fn new(
+        results: &Results,
+        findings: &[Finding],
+        known: &[KnownVariant],
+    ) -> Result<Self, ReportError> {
+        Ok(Report(Page::new(results, findings, known)?))
+    }
+
+    /// The report as one HTML file: pictures inside, no script, nothing fetched. Links lead to files
+    /// beside it (`<experiment>/rows.csv`, `<experiment>/<figure>.csv`).
+    ///
+    /// # Errors
+    /// The template cannot be filled.
+    pub fn html(&self) -> Result<String, ReportError> {
+        Ok(Html { page: &self.0 }.render()?)
+    }
+
+    /// The report in GitHub's Markdown; pictures are the files beside it.
+    ///
+    /// # Errors
+    /// As [`Report::html`].
+    pub fn markdown(&self) -> Result<String, ReportError> {
+        Ok(Markdown { page: &self.0 }.render()?)
+    }
+
+    /// The answers in at most 100 columns, without colours: which kernel to take, how many claims
+    /// hold and which do not, how trustworthy the run was.
+    pub fn terminal(&self) -> String {
+        terminal::text(&self.0)
+    }
 }

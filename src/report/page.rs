@@ -7,8 +7,9 @@ use super::ledger::Ledger;
 use super::machine::Machine;
 use super::trust::{self, Check};
 use super::{cited, words};
-use crate::chart::{timeline, timeline_words};
+use crate::chart::{TIMELINE_QUESTION, timeline, timeline_words};
 use crate::claims::Finding;
+use crate::recommend::KnownVariant;
 use crate::results::Results;
 
 /// The report.
@@ -24,8 +25,10 @@ pub(super) struct Page {
     pub ledger: Ledger,
     pub trust: Vec<Check>,
     pub trust_sentence: String,
-    /// Picture of the rounds; empty where there are none, or it stands in a file beside the report.
+    /// Picture of the rounds; empty where there are none.
     pub timeline: String,
+    /// What it answers.
+    pub timeline_question: &'static str,
     /// What it shows.
     pub timeline_words: String,
     /// Whether there are rounds to be shown.
@@ -41,11 +44,15 @@ pub(super) struct Answers {
 }
 
 impl Page {
-    /// Puts it together. `inside` says whether pictures are drawn into the page.
+    /// Puts it together.
     ///
     /// # Errors
     /// The published figures cannot be read, or rows not be written.
-    pub fn new(results: &Results, findings: &[Finding], inside: bool) -> Result<Self, ReportError> {
+    pub fn new(
+        results: &Results,
+        findings: &[Finding],
+        known: &[KnownVariant],
+    ) -> Result<Self, ReportError> {
         let machines: Vec<Machine> = results.sources.iter().map(Machine::of).collect();
         let several = machines.len() > 1;
         let has_timeline = !results.rounds.is_empty();
@@ -54,18 +61,15 @@ impl Page {
             several,
             nothing: nothing(results),
             wrong: trust::wrong(results),
-            answers: all_answers(results),
+            answers: all_answers(results, known),
             ledger: Ledger::new(results, findings),
             trust: trust::checks(results),
             trust_sentence: trust::sentence(results),
-            timeline: if inside && has_timeline {
-                timeline(&results.rounds)?
-            } else {
-                String::new()
-            },
+            timeline: if has_timeline { timeline(&results.rounds, true)? } else { String::new() },
+            timeline_question: TIMELINE_QUESTION,
             timeline_words: timeline_words(&results.rounds),
             has_timeline,
-            parts: parts(results, inside)?,
+            parts: parts(results)?,
             machines,
         })
     }
@@ -100,14 +104,14 @@ fn nothing(results: &Results) -> String {
 }
 
 /// The answers, machine by machine.
-pub(super) fn all_answers(results: &Results) -> Vec<Answers> {
-    let of_all = || vec![Answers { machine: String::new(), list: answers(results, None) }];
+fn all_answers(results: &Results, known: &[KnownVariant]) -> Vec<Answers> {
+    let of_all = || vec![Answers { machine: String::new(), list: answers(results, None, known) }];
     let mut all = match results.sources.as_slice() {
         [] | [_] => of_all(),
         several => {
             let of = |label: &String| Answers {
                 machine: label.clone(),
-                list: answers(results, Some(label)),
+                list: answers(results, Some(label), known),
             };
             several.iter().map(|source| of(&source.label)).collect()
         }

@@ -2,11 +2,8 @@
 
 use super::answers::Answer;
 use super::ledger::Ledger;
-use super::machine::Machine;
-use super::page::all_answers;
-use super::{cited, trust};
-use crate::claims::Finding;
-use crate::results::Results;
+use super::page::Page;
+use super::trust::Check;
 use comfy_table::presets::NOTHING;
 use comfy_table::{ContentArrangement, Table};
 
@@ -14,23 +11,20 @@ use comfy_table::{ContentArrangement, Table};
 const WIDTH: usize = 100;
 
 /// Which kernel to take, how many claims hold and which do not, how trustworthy the run was.
-pub fn terminal(results: &Results, findings: &[Finding]) -> String {
-    let machines: Vec<Machine> = results.sources.iter().map(Machine::of).collect();
-    let cite = cited::line(results, &machines).unwrap_or_default();
-    let mut parts = vec![wrapped(&cite, 0)];
-    if results.rows().next().is_none() {
-        parts.push("There are no rows in these results.\n".to_owned());
+pub(super) fn text(page: &Page) -> String {
+    let mut parts = vec![wrapped(&page.cite, 0)];
+    if !page.nothing.is_empty() {
+        parts.push(format!("{}\n", page.nothing));
         return parts.join("\n");
     }
-    for answers in all_answers(results) {
+    for answers in &page.answers {
         let machine = answers.machine.as_str();
         let on = if machine.is_empty() { "this machine" } else { machine };
         let list: String = answers.list.iter().map(answer).collect();
         parts.push(format!("Which kernel to take on {on}\n{list}"));
     }
-    let ledger = Ledger::new(results, findings);
-    parts.push(wrapped(&ledger.sentence, 0) + &claims(&ledger));
-    parts.push(wrapped(&trust::sentence(results), 0) + &checks(results));
+    parts.push(wrapped(&page.ledger.sentence, 0) + &claims(&page.ledger));
+    parts.push(wrapped(&page.trust_sentence, 0) + &checks(&page.trust));
     parts.join("\n")
 }
 
@@ -47,7 +41,7 @@ fn answer(answer: &Answer) -> String {
         figures.push(format!("error {}", answer.error));
     }
     if !answer.runner_up.is_empty() {
-        figures.push(format!("next {}", answer.runner_up));
+        figures.push(format!("next: {}", answer.runner_up));
     }
     if !answer.cell.is_empty() {
         figures.push(format!("{}: {}", answer.experiment, answer.cell));
@@ -62,10 +56,10 @@ fn claims(ledger: &Ledger) -> String {
     table(["claim", "verdict", "statement"], rows)
 }
 
-fn checks(results: &Results) -> String {
-    let checks = trust::checks(results).into_iter().map(|check| {
+fn checks(checks: &[Check]) -> String {
+    let checks = checks.iter().map(|check| {
         let mark = if check.alarm { "! " } else { "" };
-        [format!("{mark}{}", check.what), check.figure, check.meaning]
+        [format!("{mark}{}", check.what), check.figure.clone(), check.meaning.clone()]
     });
     table(["check", "", "meaning"], checks)
 }

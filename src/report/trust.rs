@@ -173,7 +173,10 @@ pub(super) fn sentence(results: &Results) -> String {
     let open = results.chapters.iter().filter(|chapter| !chapter.complete).count();
     let floors = results.rows().filter_map(|row| row.noise_floor).collect();
     let floor = middle_and_worst(floors).map_or("Nothing was timed.".to_owned(), |(middle, _)| {
-        format!("Half of the times are of groups that tell differences of {}.", percent(middle))
+        format!(
+            "Half of the times are of groups in which differences from {} on can be told.",
+            percent(middle)
+        )
     });
     let wrong = match wrong(results) {
         none if none.is_empty() => {

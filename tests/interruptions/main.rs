@@ -176,11 +176,15 @@ fn interrupted_it_saves_shows_and_says_how_to_go_on() {
         let shown = String::from_utf8_lossy(&output.stdout);
         assert!(shown.contains(&table), "{shown}");
         assert_eq!(shown.contains("ns_per_test"), id == "pairs", "{shown}");
+        // What was measured is drawn; the report waits for the rest.
+        assert!(place.path("out/pairs/pairs.svg").is_file(), "{message}");
+        assert!(!place.path("out/report.html").exists());
         let kept = place.read_everything("out");
         let run = read_json(&place.path("out").join(id).join("rows.json")).expect("it was saved");
         assert_eq!(run.environment["complete"], false);
         assert!(place.journal("out", id).exists());
         place.finish("out", &["--profile", "standard", "--resume"]);
+        assert!(place.path("out/report.html").is_file());
         let rows = place.rows("out");
         assert_same(&rows, &undisturbed().0, signal);
         assert_taken(&kept, &rows, signal);

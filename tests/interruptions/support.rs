@@ -15,7 +15,9 @@ const EXPERIMENTS: [(&str, &str, &str); 4] = [
         "'^(moller[0-3]|badouel|chirkov-line|wald)/f32/single/sse2/early/[a-z]+/plain/t(uv)?$', \
          '^keidy/f32/single/sse2/early/last/plain/tuv/query=point$'",
         "kind = 'pairs'\ncount = 60\nreshuffled_count = 60\ndensity = [0.25]\n\
-         orders = ['literal', 'fixed', 'reshuffled']\nseconds_of_tests = 1000.0",
+         orders = ['literal', 'fixed', 'reshuffled']\nseconds_of_tests = 1000.0\n\
+         [[figure]]\nfile = 'pairs'\nkind = 'bars'\nquestion = 'Which is the fastest?'\n\
+         x = 'kernel'\ny = 'ns_per_test'\npanels = 'order'",
     ),
     (
         "codes",

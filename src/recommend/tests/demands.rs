@@ -125,8 +125,17 @@ fn a_tolerance_is_held_by_the_errors_of_the_same_arithmetic() {
 fn packets_come_only_when_allowed() {
     let packet = Row { drive: "packet8".into(), id: "p".into(), ..timed("a", "f32", "tuv", 0.1) };
     let shared = Row { drive: "packet8-parallel".into(), id: "q".into(), ..packet.clone() };
-    let rows = [timed("a", "f32", "tuv", 0.5), packet, shared];
+    let from_one = Row { drive: "packet8-common-origin".into(), id: "s".into(), ..packet.clone() };
+    let from_one = Row { ratio_to_reference: Some(0.05), ..from_one };
+    let group = Row { drive: "group8".into(), id: "g".into(), ..packet.clone() };
+    let rows = [timed("a", "f32", "tuv", 0.5), packet, shared, from_one, group];
     assert_eq!(asked(&rows, &Question::default()).map(|it| it.variant), Ok(rows[0].id.clone()));
-    let question = Question { packets: true, ..Question::default() };
-    assert_eq!(asked(&rows, &question).map(|it| it.variant), Ok("p".to_owned()));
+    let packets = |packets| Question { packets, ..Question::default() };
+    let taken = |question| asked(&rows, &question).map(|it| it.variant);
+    assert_eq!(taken(packets(Packets::OfAnyRays)), Ok("p".to_owned()));
+    assert_eq!(taken(packets(Packets::FromOnePoint)), Ok("s".to_owned()));
+    let refused = asked(&rows, &packets(Packets::OfAnyRays)).expect("p fits");
+    let words = "Left out: 2 that take rays that share an origin or a direction, 1 that take rays or \
+                 triangles by groups or bundles.";
+    assert!(says(&refused, words), "{:?}", refused.because);
 }

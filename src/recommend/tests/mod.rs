@@ -3,7 +3,7 @@
 mod demands;
 mod ranking;
 
-use super::{KnownVariant, Needs, Question, RecommendError, Recommendation, recommend};
+use super::{KnownVariant, Needs, Packets, Question, RecommendError, Recommendation, recommend};
 use crate::results::{About, Chapter, Results};
 use crate::table::Row;
 

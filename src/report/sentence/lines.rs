@@ -141,7 +141,8 @@ fn growth(named: &Named<'_>, points: &[&Point], whole: bool) -> String {
     format!("{name} {change} from {x} {} to {}{values}", first.x, last.x)
 }
 
-fn x_name(named: &Named<'_>) -> String {
+/// How the column of the x is called.
+pub(super) fn x_name(named: &Named<'_>) -> String {
     let column = named.figure.x.list().first().map_or("x", String::as_str);
     column.replace('_', " ")
 }
@@ -160,11 +161,16 @@ pub(super) fn furthest(named: &Named<'_>, ours: &[Point], published: &[Point]) -
     });
     let (_, mine, theirs) = twins.max_by(|a, b| a.0.total_cmp(&b.0))?;
     let x = named.figure.x.list().join(", ").replace('_', " ");
+    let (there, here) = (short_figure(theirs.y), named.value(mine));
+    let whose = format!("{} at {x} {}", named.figure.label(&mine.series), mine.x);
+    if there == short_figure(mine.y) {
+        let what = if named.figure.kind == Kind::Shares { "shares" } else { "figures" };
+        return Some(format!(
+            "The published {what} are ours: the furthest, that of {whose}, is {there} there and {here} \
+             here."
+        ));
+    }
     Some(format!(
-        "The published figure that is furthest from ours is that of {} at {x} {}: {} there, {} here.",
-        named.figure.label(&mine.series),
-        mine.x,
-        short_figure(theirs.y),
-        named.value(mine)
+        "The published figure that is furthest from ours is that of {whose}: {there} there, {here} here."
     ))
 }

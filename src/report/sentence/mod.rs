@@ -5,6 +5,7 @@ mod heat;
 mod lines;
 mod named;
 mod others;
+mod predicted;
 
 use crate::chart::{Figure, Kind, Numbers};
 use named::Named;
@@ -15,7 +16,8 @@ pub(super) fn sentences(figure: &Figure, numbers: &Numbers) -> Vec<String> {
     let named = Named { figure };
     let mut parts = match numbers {
         Numbers::Points { ours, published, .. } if figure.kind == Kind::Lines => {
-            lines::sentences(&named, ours, published)
+            let predicted = predicted::sentences(&named, ours);
+            predicted.unwrap_or_else(|| lines::sentences(&named, ours, published))
         }
         Numbers::Points { ours, published, .. } => bars::sentences(&named, ours, published),
         Numbers::Shares { ours, published, ours_below, .. } => {

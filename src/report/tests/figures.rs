@@ -145,6 +145,51 @@ fn a_heat_map_tells_who_never_fails() {
 }
 
 #[test]
+fn whoever_fails_as_rarely_or_as_often_is_named_as_well() {
+    let figure = figure(
+        "file = \"h\"\nkind = \"heat\"\nquestion = \"H?\"\nx = \"family\"\ny = \"knee_share\"",
+    );
+    let mut rows = Vec::new();
+    for (kernel, shares) in [("a", [0.5, 1.0]), ("b", [1.0, 0.5]), ("c", [0.5, 0.5])] {
+        rows.extend(["cap", "far"].iter().zip(shares).map(|(family, share)| Row {
+            family: (*family).into(),
+            knee_share: Some(share),
+            ..timed(kernel, 1.0)
+        }));
+    }
+    assert_eq!(
+        said(&figure, &rows),
+        [
+            "No kernel holds everywhere: a and b fail in the fewest, 1 of 2 families; c fails in the \
+             most, 2 of 2 families; most kernels, 2 of 3, fail in far."
+        ]
+    );
+}
+
+#[test]
+fn published_figures_that_are_ours_are_not_said_to_be_far_off() {
+    let mut figure = figure(LINES);
+    figure.y = "seconds".into();
+    figure.published = Some(toml::from_str("table = \"table_4_2\"").unwrap());
+    let words = |seconds: f64| {
+        let row = Row { density: Some(0.0), seconds: Some(seconds), ..timed("moller", 2.0) };
+        said(&figure, &[row]).pop().unwrap()
+    };
+    let row = Row { density: Some(0.0), seconds: Some(1.0), ..timed("moller", 2.0) };
+    let lines = csv_of(&figure, &[row]);
+    let is_theirs =
+        |line: &&String| line.starts_with(",moller,0,seconds,") && line.ends_with("published");
+    let theirs = lines.iter().find(is_theirs).unwrap();
+    let theirs: f64 = theirs.split(',').nth(4).unwrap().parse().unwrap();
+    let same = words(1.0001 * theirs);
+    assert!(
+        same.starts_with("The published figures are ours: the furthest, that of moller"),
+        "{same}"
+    );
+    assert!(words(1.1 * theirs).starts_with("The published figure that is furthest from ours"));
+}
+
+#[test]
 fn numbers_are_written_unrounded_with_what_was_published() {
     let mut figure = figure(LINES);
     figure.y = "seconds".into();
@@ -156,5 +201,42 @@ fn numbers_are_written_unrounded_with_what_was_published() {
     assert!(
         csv.iter()
             .any(|line| line.starts_with(",badouel,1,seconds,") && line.ends_with(",,published"))
+    );
+}
+
+#[test]
+fn no_link_leads_to_what_a_copy_may_lack() {
+    let stiff = Row { record: "knee".into(), ns_per_test: None, ..timed("a", 1.0) };
+    for (rows, has_link) in [(vec![timed("a", 1.0)], true), (vec![stiff], false)] {
+        let results = results(rows, &[TIMES]);
+        let pages = [html(&results, &[]), markdown(&results, &[])];
+        let links = ["href=\"first/rows.csv\"", "(first/rows.csv)"];
+        for (page, link) in pages.iter().zip(links) {
+            assert_eq!(page.contains(link), has_link, "{link}");
+            assert!(has_link || page.contains("the same on every machine"));
+        }
+    }
+}
+
+#[test]
+fn a_prediction_is_held_against_what_was_measured_and_does_not_compete() {
+    let mut figure = figure(LINES);
+    figure.series =
+        toml::from_str::<Figure>(&LINES.replace("x =", "series = \"form\"\nx =")).unwrap().series;
+    let of = |form: &str, times: &[f64]| -> Vec<Row> {
+        let rows = over_density("moller1", times).into_iter();
+        rows.map(|row| Row { form: form.into(), ..row }).collect()
+    };
+    let rows = [of("measured", &[2.0, 3.0, 8.0]), of("predicted", &[4.0, 3.0, 4.0])].concat();
+    assert_eq!(
+        said(&figure, &rows),
+        ["measured is 0.500 times predicted at density 0 and 2.00 times at 1, everywhere else \
+          between these."]
+    );
+    // What is left of a prediction lies around 0.
+    figure.reference = Some(0.0);
+    assert_eq!(
+        said(&figure, &of("residual", &[-1.0, 0.5, 7.0])),
+        ["residual lies from -1.00 ns (at density 0) to 7.00 ns (at 1)."]
     );
 }

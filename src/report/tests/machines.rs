@@ -20,7 +20,7 @@ fn two() -> Results {
 
 #[test]
 fn each_machine_has_its_answers_and_a_row() {
-    let page = html(&two(), &[]).unwrap();
+    let page = html(&two(), &[]);
     assert!(page.contains("Results of 2 machines or builds are put together here"));
     let place = |words: &str| page.find(words).expect(words);
     assert!(place("<h3>Z80</h3>") < place("<code>a/f32"));
@@ -35,7 +35,7 @@ fn a_figure_in_which_machines_clash_is_drawn_for_each() {
     let files: Vec<&str> = drawn.iter().map(|drawing| drawing.file.as_str()).collect();
     assert_eq!(files, ["times--1", "times--2", "both"]);
     assert_eq!(drawn.iter().map(|drawing| drawing.rows.len()).collect::<Vec<_>>(), [2, 2, 4]);
-    let page = html(&results, &[]).unwrap();
+    let page = html(&results, &[]);
     assert!(page.contains("id=\"fig-times--2\"") && !page.contains("several rows are for"));
     // With one machine, the figure keeps its name.
     let one = super::results(vec![timed("a", 1.0)], &[TIMES]);
