@@ -109,7 +109,7 @@ pub fn run(arguments: &Scene) -> Result<(), Failure> {
     eprintln!("{}; results in {}", about(&mesh, &task), path.display());
     let cancel = interrupt::flag();
     let rounds = arguments.profile.value().rounds();
-    let bar = progress::bar(Task::blocks(rounds));
+    let bar = progress::bar(task.blocks(rounds));
     let mut done = |blocks: usize| bar.inc(blocks as u64);
     let keep = &mut KeepNothing;
     let outcome = task

@@ -12,6 +12,7 @@
 mod contest;
 mod evidence;
 mod form;
+mod heats;
 mod nearby;
 mod outcome;
 mod paths;
@@ -25,11 +26,12 @@ mod run;
 mod sample;
 mod settle;
 mod situation;
+mod stages;
 #[cfg(test)]
 mod tests;
 mod usage;
 
-pub use evidence::Saving;
+pub use evidence::{Saving, Verdict};
 pub use form::{Form, Output};
 pub use outcome::{Kept, LeftOut, Plan, Report};
 pub use piece::{Look, Piece};

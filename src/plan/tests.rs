@@ -112,6 +112,7 @@ fn finals(ns: [f64; 4]) -> Finals {
     let entry = |(id, ns): (&str, f64)| Entry {
         form: form(id),
         times: rounds.iter().map(|slow| slow * ns).collect(),
+        again: None,
     };
     Finals { entries: FORMS.into_iter().zip(ns).map(entry).collect(), default: 0, floor: 0.01 }
 }
