@@ -20,11 +20,11 @@ type Usual =
     KernelLeaf<MollerTrumbore, Form<Early, Last, Plain, Tuv, TwoSided, Compare, Inside, Between>>;
 
 /// Every triangle, one after the other.
-const LIST: &str = "list";
+pub const LIST: &str = "list";
 /// The same in one box.
-const BOXED: &str = "box";
+pub const BOXED: &str = "box";
 /// Hierarchies that a plan chooses from.
-const HIERARCHIES: [&str; 2] = ["surface", "obvhs"];
+pub const HIERARCHIES: [&str; 2] = ["surface", "obvhs"];
 /// A list of more triangles is not timed: it takes some hundred times as long as any hierarchy.
 const LONGEST_LIST: usize = 8192;
 /// Tests of a pass through the list, at most, but for [`FEWEST_RAYS`]: a millisecond or less, so that a pass

@@ -42,6 +42,10 @@ pub struct Outcome {
 pub struct Found {
     /// As programs read it.
     pub report: Report,
+    /// Triangles of the mesh.
+    pub triangles: u64,
+    /// The way to the triangles, as structures are named.
+    pub structure: String,
     /// The id of the variant that it was held against.
     pub default: String,
     /// What came of the choice.
@@ -111,29 +115,43 @@ impl<'a> Task<'a> {
         let pilot = pilot::fly(&mut asking);
         let (tight, fine) = (pilot.leaks > 0, pilot.too_coarse > 0);
         let Some(default) = default_variant(output, tight, fine) else { return Ok(None) };
-        let crowd = &self.crowd;
-        let (looks, wanted) = (self.looks, self.wanted);
-        let situation = situation(looks, wanted, crowd, pilot, walked, both.1.len());
+        let situation =
+            situation(self.looks, self.wanted, &self.crowd, pilot, walked, both.1.len());
         let flat = asking.goes_through_all(&situation);
         let sample = sampled(&mut asking, flat, default, self.seed);
         let scene = scene(name, sample, self.seed);
         if flat {
             asking.way = Way::List;
         }
-        let report = |situation: &Situation, settled: &Settled| Report {
-            mesh: self.mesh.name.clone(),
-            rays: situation.wanted.source.word().to_owned(),
-            needs: output.word(),
-            plan: settled.plan.clone(),
-            answers: settled.answers,
-        };
         let mut stages = Stages { situation, default, scene: &scene, bench, rows };
         let settled = stages.settled(&mut asking)?;
-        let found = |settled: Settled| {
-            let report = report(&stages.situation, &settled);
-            Found { report, default: default.id(), settled }
-        };
-        Ok(settled.map(found))
+        Ok(settled.map(|settled| found(self.mesh, &stages.situation, default, settled)))
+    }
+}
+
+/// All that is told.
+fn found(mesh: &Mesh, situation: &Situation, default: &Variant, settled: Settled) -> Found {
+    let wanted = &situation.wanted;
+    let report = Report {
+        mesh: mesh.name.clone(),
+        rays: wanted.source.word().to_owned(),
+        needs: wanted.output.word(),
+        plan: settled.plan.clone(),
+        answers: settled.answers,
+    };
+    let goes = |piece: &str| settled.plan.left_out.iter().any(|one| one.piece == piece);
+    let structure = match &situation.paths {
+        _ if goes("hierarchy") && goes("bounding volume") => paths::LIST,
+        _ if goes("hierarchy") => paths::BOXED,
+        Some(paths) => &paths.hierarchy,
+        None => paths::HIERARCHIES[0],
+    };
+    Found {
+        report,
+        triangles: situation.crowd.triangles,
+        structure: structure.to_owned(),
+        default: default.id(),
+        settled,
     }
 }
 
