@@ -23,7 +23,7 @@ pub fn text(found: &Found) -> String {
     entry(&mut text, "rays", &format!("{} {}; {needs}", report.answers.rays, report.rays));
     text.push('\n');
     entry(&mut text, "plan", &format!("{} in '{}'", plan.variant, found.structure));
-    entry(&mut text, "saving", &beside(found));
+    entry(&mut text, "time", &beside(found));
     if let Some((id, saving)) = &found.settled.faster {
         let more = "it does more than it has to, and is faster all the same";
         entry(&mut text, "or", &format!("{id}: {more}: {} beside the plan", saving.words()));
@@ -59,7 +59,7 @@ const RULE: &str = "A piece that mesh and rays do not need is left out unless th
 /// The time beside the default.
 fn beside(found: &Found) -> String {
     match found.settled.beside_default {
-        None => "none: it is the default variant".to_owned(),
+        None => "that of the default: it is that".to_owned(),
         Some(saving) => format!("{} beside the default, {}", saving.words(), found.default),
     }
 }
@@ -111,9 +111,10 @@ fn entry(text: &mut String, word: &str, said: &str) {
 /// Adds words, line by line, so far in.
 fn wrap(text: &mut String, indent: usize, words: &str) {
     let mut length = 0;
-    for word in words.split_whitespace() {
+    // A number is not parted from its per cent.
+    let words = words.replace(" %", "\u{a0}%");
+    for word in words.split(' ').filter(|word| !word.is_empty()) {
         let more = word.chars().count() + 1;
-        // A space goes before each word but the first.
         if length == 0 || length + more > WIDTH - indent {
             if length > 0 {
                 text.push('\n');
@@ -124,7 +125,7 @@ fn wrap(text: &mut String, indent: usize, words: &str) {
             text.push(' ');
             length += more;
         }
-        text.push_str(word);
+        text.push_str(&word.replace('\u{a0}', " "));
     }
     text.push('\n');
 }
@@ -143,6 +144,9 @@ mod tests {
                 || line.starts_with("    c"))
         );
         assert_eq!(text.split_whitespace().count(), 60);
+        let mut text = String::new();
+        wrap(&mut text, 0, &format!("{} 5 % (4 to 6)", "a".repeat(97)));
+        assert_eq!(text.lines().last(), Some("5 % (4 to 6)"));
         // Two words that fill a line, and one letter more.
         let full = format!("{} {}", "a".repeat(49), "b".repeat(50));
         let mut text = String::new();

@@ -5,7 +5,7 @@ use super::form::{Form, Output, translates};
 use super::pieces::PIECES;
 use crate::experiment::{Bench, Scene, Trouble, cells};
 use crate::kernels::{Edges, Fallback, Fixed, NoFallback, Projection};
-use crate::measure::{Figures, Order};
+use crate::measure::{Figures, Order, Protocol};
 use crate::registry::{self, Axes, REFERENCE, Variant, variants};
 use crate::table::Row;
 
@@ -107,7 +107,7 @@ pub struct Timed {
     pub rows: Vec<Row>,
     /// Figures by variant id.
     pub figures: Vec<Figures>,
-    /// What identical code differs by, relative.
+    /// What identical code differs by, relative; no less than [`Protocol::margin`].
     pub floor: f64,
 }
 
@@ -131,8 +131,9 @@ pub fn time(
 ) -> Result<Timed, Trouble> {
     let order = Order::Reshuffled;
     let measured = cells::run(EXPERIMENT, variants, default, scene, order, bench, None)?;
+    // What has no copies to be compared with is held to what is no difference anywhere.
     let floors = measured.rows.iter().filter_map(|row| row.noise_floor);
-    let floor = floors.fold(0.0, f64::max);
+    let floor = floors.fold(Protocol::new(order, scene.facts.seed).margin, f64::max);
     Ok(Timed { rows: measured.rows, figures: measured.figures, floor })
 }
 

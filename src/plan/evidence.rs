@@ -58,16 +58,17 @@ impl Saving {
         let low = (1.0 - self.ratio.high) * 100.0;
         let high = (1.0 - self.ratio.low) * 100.0;
         let percent = self.unjudged();
+        let said = if percent < 0.0 {
+            let (least, most) = (-high, -low);
+            format!("takes {:.1} % longer ({least:.1} to {most:.1})", -percent)
+        } else {
+            format!("saves {percent:.1} % ({low:.1} to {high:.1})")
+        };
         match self.verdict() {
+            Verdict::Saves | Verdict::Costs => said,
             Verdict::Same => format!("saves nothing beyond the noise of {floor:.1} %"),
-            Verdict::Undecided => format!(
-                "undecided: saves {percent:.1} % ({low:.1} to {high:.1}), not clear of the noise of \
-                 {floor:.1} %"
-            ),
-            Verdict::Saves => format!("saves {percent:.1} % ({low:.1} to {high:.1})"),
-            Verdict::Costs => {
-                let (least, most) = (-high, -low);
-                format!("takes {:.1} % longer ({least:.1} to {most:.1})", -percent)
+            Verdict::Undecided => {
+                format!("undecided: {said}, not clear of the noise of {floor:.1} %")
             }
         }
     }

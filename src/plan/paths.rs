@@ -92,8 +92,8 @@ pub fn time(
     };
     let hierarchies = HIERARCHIES.iter().filter_map(|id| of(id));
     let hierarchy = hierarchies.min_by(|a, b| a.1.total_cmp(&b.1));
-    let paths = hierarchy
-        .map(|(best, _, tests)| said(best, tests, of(LIST), of(BOXED), report.noise_floor));
+    let floor = report.noise_floor.max(protocol.margin);
+    let paths = hierarchy.map(|(best, _, tests)| said(best, tests, of(LIST), of(BOXED), floor));
     let tests_per_ray = paths.as_ref().map_or_else(
         || field.tests_per_ray.last().copied().unwrap_or_default(),
         |paths| paths.tests_in_hierarchy,

@@ -13,7 +13,7 @@ use super::settle::{Finals, Looked, Settled, settle, waste};
 use super::situation::Situation;
 use crate::experiment::cells::{CONTROLS, MOST_SUBJECTS};
 use crate::experiment::{Bench, Scene, Trouble};
-use crate::measure::Protocol;
+use crate::measure::{Order, Protocol};
 use crate::registry::{Variant, find};
 use crate::table::Row;
 use std::sync::atomic::Ordering;
@@ -30,13 +30,22 @@ const CONFIRMATIONS: usize = 1;
 
 /// About how many blocks are timed in groups of so many rounds, of so many forms.
 pub fn blocks(rounds: usize, forms: usize) -> usize {
-    let full = Protocol::RESHUFFLED_TIMES * rounds;
-    let group = MOST_SUBJECTS + CONTROLS;
-    // Pairs and finals are a group each; groups are cut between kernels, and so are some more.
+    let group = |order: Order, rounds: usize, contestants: usize| {
+        let protocol = Protocol { rounds, ..Protocol::new(order, 0) };
+        protocol.planned_rounds(contestants) * contestants
+    };
+    let most = MOST_SUBJECTS + CONTROLS;
+    let full = group(Order::Reshuffled, rounds, most);
+    // Groups are cut between kernels, and so there may be one more.
     let heats = forms.div_ceil(MOST_SUBJECTS) + 1;
-    let contests = full * group * 2 + full / FEWER * group * heats;
-    let preparing = rounds * group;
-    rounds * WAYS + contests + preparing + full * (2 + CONTROLS) * CONFIRMATIONS
+    let contests = 2 * full + heats * group(Order::Reshuffled, heat_rounds(rounds), most);
+    let confirmed = CONFIRMATIONS * group(Order::Reshuffled, rounds, 2 + CONTROLS);
+    rounds * WAYS + contests + group(Order::Fixed, rounds, most) + confirmed
+}
+
+/// Rounds of the heats.
+fn heat_rounds(rounds: usize) -> usize {
+    (rounds / FEWER).max(Protocol::LEAST_ROUNDS)
 }
 
 /// What is timed with, on what, and where it is taken down.
@@ -127,7 +136,7 @@ impl Stages<'_, '_> {
         let untimed = |form: &&'static Variant| pairs.of(&form.id()).is_none();
         let untimed: Vec<&'static Variant> = forms.iter().copied().filter(untimed).collect();
         let (rounds, patience) = (self.bench.rounds, self.bench.patience);
-        self.bench.rounds = (rounds / FEWER).max(Protocol::LEAST_ROUNDS);
+        self.bench.rounds = heat_rounds(rounds);
         self.bench.patience = 0;
         let heats = self.time(&untimed);
         (self.bench.rounds, self.bench.patience) = (rounds, patience);

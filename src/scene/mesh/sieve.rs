@@ -37,6 +37,9 @@ pub(super) struct Sieve<'a> {
     pub(super) seen: Seen,
 }
 
+/// A line that makes the mesh: what it is about, and what stands behind its first word.
+type Line<'a> = (Kind, Cow<'a, [u8]>);
+
 /// What a line is about.
 enum Kind {
     Vertex,
@@ -93,7 +96,7 @@ impl<'a> Sieve<'a> {
     }
 
     /// The next `v` or `f` with what stands behind it; `None` at the end.
-    fn next(&mut self) -> Result<Option<(Kind, Cow<'a, [u8]>)>, String> {
+    fn next(&mut self) -> Result<Option<Line<'a>>, String> {
         while !self.rest.is_empty() {
             self.seen.line = self.next_line;
             let text = self.joined()?;
