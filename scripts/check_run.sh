@@ -191,6 +191,22 @@ expect 0 "a recommendation" "$program" recommend --from part --format json
 has '"variant"' out
 expect 0 "a picture" "$program" render icosphere:1 --size 32x24 --compare -o ball.png
 head -c 4 ball.png | grep -q PNG || fail "no picture"
+expect 0 "a plan" "$program" scene icosphere:2 --out plan --format json
+python3 -c '
+import json, sys
+plan = json.load(open("out"))
+assert plan == json.load(open("plan/scene/plan.json"))
+assert set(plan) == {"mesh", "rays", "needs", "plan", "answers"}, sorted(plan)
+assert set(plan["plan"]) == {"variant", "left_out", "kept"}, sorted(plan["plan"])
+assert set(plan["answers"]) == {"rays", "agree", "disagree"}, sorted(plan["answers"])
+gone, kept = plan["plan"]["left_out"], plan["plan"]["kept"]
+assert all(set(piece) == {"piece", "because", "saves_percent"} for piece in gone), gone
+assert all(set(piece) == {"piece", "because"} for piece in kept), kept
+names = [piece["piece"] for piece in gone + kept]
+assert len(set(names)) == len(names) > 10, names
+assert plan["answers"]["disagree"] == 0 < plan["answers"]["agree"], plan["answers"]
+' || fail "a plan that is not as promised"
+[ -s plan/scene/rows.csv ] || fail "no plan/scene/rows.csv"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' >broken.obj
 for verb in scene render; do
     expect 2 "a broken mesh: $verb" "$program" "$verb" broken.obj

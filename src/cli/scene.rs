@@ -106,10 +106,10 @@ pub fn run(arguments: &Scene) -> Result<(), Failure> {
     let folder = Folder::new(arguments.out.as_deref(), hash, environment.clone(), String::new());
     folder.create()?;
     let path = folder.path().join(EXPERIMENT);
-    eprintln!("{}; results in {}", about(&mesh, &task), path.display());
-    let cancel = interrupt::flag();
     let rounds = arguments.profile.value().rounds();
-    let bar = progress::bar(Task::blocks(rounds));
+    eprintln!("{}; results in {}", about(&mesh, &task, rounds), path.display());
+    let cancel = interrupt::flag();
+    let bar = progress::bar(task.blocks(rounds));
     let mut done = |blocks: usize| bar.inc(blocks as u64);
     let keep = &mut KeepNothing;
     let outcome = task
@@ -155,9 +155,18 @@ fn wanted(arguments: &Scene) -> Wanted {
     Wanted::of(output, usage, arguments.rays.as_deref().map(Asked::of))
 }
 
-fn about(mesh: &Mesh, task: &Task<'_>) -> String {
-    format!("{}: {} triangles, {} rays", mesh.name, mesh.triangles.len(), task.rays())
+/// What is begun, and how long it takes.
+fn about(mesh: &Mesh, task: &Task<'_>, rounds: usize) -> String {
+    let (triangles, rays) = (mesh.triangles.len(), task.rays());
+    let seconds = (BLOCK_SECONDS * task.blocks(rounds) as f64).ceil();
+    format!(
+        "{}: {triangles} triangles, {rays} rays; about {seconds:.0} s, beside other work some times as long",
+        mesh.name
+    )
 }
+
+/// A block with its new order, and the readings of the ruler before and after it.
+const BLOCK_SECONDS: f64 = 150e-6;
 
 fn hash(arguments: &Scene, environment: &Environment) -> u64 {
     let mut hash = Fnv::default();

@@ -8,6 +8,11 @@ use std::time::Instant;
 pub trait Clock {
     /// Nanoseconds since some fixed moment.
     fn now_ns(&mut self) -> u64;
+
+    /// Said before a block of a round is timed: whose it is, and how many tests it does. No matter for a
+    /// clock of a machine; one of a script may let pass what it has for them. Of other readings, for a
+    /// calibration or a cycle, nothing is said.
+    fn announce(&mut self, _id: &str, _tests: u64) {}
 }
 
 /// The monotonic clock of the system.

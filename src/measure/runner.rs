@@ -178,10 +178,12 @@ impl<'a> Runner<'a> {
     }
 
     fn time(&mut self, window: usize, order: Option<&[u32]>, instruments: &mut Instruments<'_>) {
+        let tests = self.tests(window);
         let job = self.contestant.job.as_mut();
         let block = self.plan.block(job.items(), window);
         let switches = self.plan.walks.then(|| instruments.disturbance.count());
         let before = instruments.ruler.read(instruments.clock);
+        instruments.clock.announce(&self.contestant.id, tests);
         instruments.counters.start();
         let (ns, tally, at_ns) = timed_until(job, block, instruments.clock);
         let counts = instruments.counters.stop();

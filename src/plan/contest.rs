@@ -3,10 +3,9 @@
 use super::evidence::Saving;
 use super::form::{Form, Output, translates};
 use super::pieces::PIECES;
-use super::settle::{Entry, Finals};
 use crate::experiment::{Bench, Scene, Trouble, cells};
 use crate::kernels::{Edges, Fallback, Fixed, NoFallback, Projection};
-use crate::measure::{Figures, Order};
+use crate::measure::{Figures, Order, Protocol};
 use crate::registry::{self, Axes, REFERENCE, Variant, variants};
 use crate::table::Row;
 
@@ -96,6 +95,11 @@ pub fn candidates(
     variants().iter().filter(fits).collect()
 }
 
+/// No more forms than that are timed in the heats.
+pub fn forms_at_most(output: Output) -> usize {
+    candidates(output, false, &|_| true).len()
+}
+
 /// What was timed on one sample.
 #[derive(Default)]
 pub struct Timed {
@@ -103,7 +107,7 @@ pub struct Timed {
     pub rows: Vec<Row>,
     /// Figures by variant id.
     pub figures: Vec<Figures>,
-    /// What identical code differs by, relative.
+    /// What identical code differs by, relative; no less than [`Protocol::margin`].
     pub floor: f64,
 }
 
@@ -127,8 +131,9 @@ pub fn time(
 ) -> Result<Timed, Trouble> {
     let order = Order::Reshuffled;
     let measured = cells::run(EXPERIMENT, variants, default, scene, order, bench, None)?;
+    // What has no copies to be compared with is held to what is no difference anywhere.
     let floors = measured.rows.iter().filter_map(|row| row.noise_floor);
-    let floor = floors.fold(0.0, f64::max);
+    let floor = floors.fold(Protocol::new(order, scene.facts.seed).margin, f64::max);
     Ok(Timed { rows: measured.rows, figures: measured.figures, floor })
 }
 
@@ -157,69 +162,4 @@ pub fn savings(timed: &Timed) -> Vec<Option<Saving>> {
         Saving::of(&without.samples, &with.samples, timed.floor)
     };
     (0..PIECES.len()).map(of).collect()
-}
-
-/// Forms of the heats that go on to the finals, no more than can be timed together: the default, the
-/// fastest of those that waste least, the fastest of all, and of those that leave out, or do, each piece.
-/// `share` is what preparing adds to a test, ns; `waste` counts what a form need not do.
-pub fn finalists(
-    heats: &Timed,
-    variants: &[&'static Variant],
-    default: &'static Variant,
-    share: &dyn Fn(&Variant) -> f64,
-    waste: &dyn Fn(&Form) -> usize,
-) -> Vec<&'static Variant> {
-    let cost = |variant: &Variant| {
-        let figures = heats.of(&variant.id())?;
-        // Between groups only the ratio to the reference can be compared.
-        let ratio = figures.ratio_to_reference.map_or(1.0, |ratio| ratio.estimate);
-        Some(ratio * (1.0 + share(variant) / figures.ns_per_test?))
-    };
-    let known = |variant: &&'static Variant| Some((cost(variant)?, form(variant)?, *variant));
-    let mut ranked: Vec<(f64, Form, &'static Variant)> =
-        variants.iter().filter_map(known).collect();
-    ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut order: Vec<&'static Variant> = vec![default];
-    // Stable: of those that waste as little, the fastest come first.
-    let mut least: Vec<&(f64, Form, &'static Variant)> = ranked.iter().collect();
-    least.sort_by_key(|(_, form, _)| waste(form));
-    order.extend(least.iter().take(LEAST).map(|one| one.2));
-    order.extend(ranked.iter().take(FASTEST).map(|one| one.2));
-    for done_by in PIECES.iter().filter_map(|piece| piece.done_by) {
-        for wanted in [true, false] {
-            order.extend(least.iter().find(|one| done_by(&one.1) == wanted).map(|one| one.2));
-        }
-    }
-    let mut finals: Vec<&'static Variant> = Vec::new();
-    for variant in order {
-        let is_new = !finals.iter().any(|other| std::ptr::eq(*other, variant));
-        if is_new && finals.len() < cells::MOST_SUBJECTS {
-            finals.push(variant);
-        }
-    }
-    finals.sort_by_key(|variant| variant.axes.kernel);
-    finals
-}
-
-/// So many of the forms that waste least go on.
-const LEAST: usize = 4;
-/// So many of the fastest forms go on.
-const FASTEST: usize = 3;
-
-/// The finals as the choice sees them; `None` where the default could not be timed.
-pub fn finals(
-    timed: &Timed,
-    variants: &[&'static Variant],
-    default: &'static Variant,
-    share: &dyn Fn(&Variant) -> f64,
-) -> Option<Finals> {
-    let entry = |variant: &&'static Variant| {
-        let figures = timed.of(&variant.id())?;
-        let share = share(variant);
-        let times = figures.samples.iter().map(|ns| ns + share).collect();
-        Some(Entry { form: form(variant)?, times })
-    };
-    let entries: Vec<Entry> = variants.iter().filter_map(entry).collect();
-    let default = entries.iter().position(|entry| entry.form.id == default.id())?;
-    Some(Finals { entries, default, floor: timed.floor })
 }

@@ -1,24 +1,23 @@
 //! Looks, measures, settles, proves.
 
-use super::contest::{self, Timed};
+use super::contest::{default_variant, forms_at_most};
 use super::nearby::Nearby;
-use super::pieces::PIECES;
+use super::paths::{self, Walked};
 use super::pilot::{self, Asking, Way};
-use super::prepare::{self, Stores};
-use super::proof::{Answers, Exactly};
+use super::proof::Exactly;
 use super::rays::{self, Asking as Drawing, Crowd};
 use super::sample::{self, Arrangement};
-use super::settle::{Finals, Looked, Settled, settle, waste};
-use super::situation::{Crowding, Situation};
-use super::{Form, Piece, Report, Saving, Wanted, paths};
+use super::settle::Settled;
+use super::situation::{Crowding, Pilot, Situation};
+use super::stages::{self, Stages};
+use super::{Report, Wanted};
 use crate::check::read::ReadError;
 use crate::experiment::{Bench, Facts, Scene, Trouble};
-use crate::registry::{Variant, find};
+use crate::registry::Variant;
 use crate::scene::look::Looks;
 use crate::scene::mesh::Mesh;
 use crate::table::Row;
 use crate::workload::{QueryKind, Ray, Triangle, hash};
-use std::sync::atomic::Ordering;
 
 /// What is planned for: made without a clock.
 pub struct Task<'a> {
@@ -43,6 +42,10 @@ pub struct Outcome {
 pub struct Found {
     /// As programs read it.
     pub report: Report,
+    /// Triangles of the mesh.
+    pub triangles: u64,
+    /// The way to the triangles, as structures are named.
+    pub structure: String,
     /// The id of the variant that it was held against.
     pub default: String,
     /// What came of the choice.
@@ -77,18 +80,17 @@ impl<'a> Task<'a> {
         &self.looks
     }
 
-    /// About how many blocks will be timed in groups of so many rounds, for a progress bar.
-    pub fn blocks(rounds: usize) -> usize {
-        GROUPS
-            * rounds
-            * (crate::experiment::cells::MOST_SUBJECTS + crate::experiment::cells::CONTROLS)
+    /// About how many blocks will be timed in groups of so many rounds, for a progress bar: no fewer than
+    /// are.
+    pub fn blocks(&self, rounds: usize) -> usize {
+        stages::blocks(rounds, forms_at_most(self.wanted.output))
     }
 
     /// Measures, and settles on a plan.
     ///
     /// # Errors
     /// A group that cannot be measured.
-    pub fn run(mut self, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
+    pub fn run(self, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
         bench.calls = false;
         let mut rows = Vec::new();
         let found = self.plan(bench, &mut rows)?;
@@ -96,166 +98,106 @@ impl<'a> Task<'a> {
     }
 
     fn plan(
-        &mut self,
+        mut self,
         bench: &mut Bench<'_>,
         rows: &mut Vec<Row>,
     ) -> Result<Option<Found>, Trouble> {
         let name = format!("scene {} {}", self.mesh.name, self.wanted.source.word());
         let both = (self.crowd.rays.as_slice(), self.triangles);
-        let any = self.wanted.output == super::Output::Hit;
-        let walked = paths::time(&name, both, any, self.seed, bench)?;
-        rows.extend(walked.rows);
+        let mut walked =
+            paths::time(&name, both, self.wanted.output == super::Output::Hit, self.seed, bench)?;
+        rows.append(&mut walked.rows);
         let nearest = self.crowd.rays.iter().map(|ray| self.nearby.nearest(ray)).collect();
         let exactly = Exactly { rays: &self.crowd.rays, triangles: self.triangles, nearest };
         let output = self.wanted.output;
         let (nearby, way) = (&mut self.nearby, Way::Nearby);
         let mut asking = Asking { exactly: &exactly, nearby, way, output };
         let pilot = pilot::fly(&mut asking);
-        let mut situation = Situation {
-            looks: self.looks.clone(),
-            wanted: self.wanted.clone(),
-            crowd: Crowding {
-                rays: self.crowd.rays.len() as u64,
-                in_use: self.crowd.in_use,
-                triangles: self.triangles.len() as u64,
-                tests_per_ray: walked.tests_per_ray,
-            },
-            pilot,
-            paths: walked.paths,
-            preparing: None,
-        };
-        let tight = pilot.leaks > 0;
-        let Some(default) = contest::default_variant(output, tight, pilot.too_coarse > 0) else {
-            return Ok(None);
-        };
+        let (tight, fine) = (pilot.leaks > 0, pilot.too_coarse > 0);
+        let Some(default) = default_variant(output, tight, fine) else { return Ok(None) };
+        let situation =
+            situation(self.looks, self.wanted, &self.crowd, pilot, walked, both.1.len());
         let flat = asking.goes_through_all(&situation);
-        let sample = sample::draw(
-            if flat { Arrangement::Nearest } else { Arrangement::Pairs },
-            (&self.crowd.rays, &exactly.nearest),
-            asking.nearby,
-            self.seed,
-            &mut |ray, triangles| pilot::is_plain(default, ray, triangles),
-        );
-        let facts = Facts {
-            workload: name,
-            query: QueryKind::Ray.word(),
-            generator: "pcg",
-            hash: hash::workload(&sample.rays, &sample.triangles),
-            seed: self.seed,
-            ..Facts::default()
-        };
-        let scene = match sample.arrangement {
-            Arrangement::Nearest => Scene::given(facts, sample.rays, sample.triangles),
-            Arrangement::Pairs => Scene::given_pairs(facts, sample.rays, sample.triangles),
-        };
-        let Some(contested) = contested(&mut situation, default, &scene, bench, rows)? else {
-            return Ok(None);
-        };
+        let sample = sampled(&mut asking, flat, default, self.seed);
+        let scene = scene(name, sample, self.seed);
         if flat {
             asking.way = Way::List;
         }
-        let settled = settled(&situation, &contested, default, &mut asking);
-        let report = Report {
-            mesh: self.mesh.name.clone(),
-            rays: self.wanted.source.word().to_owned(),
-            needs: output.word(),
-            plan: settled.plan.clone(),
-            answers: settled.answers,
-        };
-        Ok(Some(Found { report, default: default.id(), settled }))
+        let mut stages = Stages { situation, default, scene: &scene, bench, rows };
+        let settled = stages.settled(&mut asking)?;
+        Ok(settled.map(|settled| found(self.mesh, &stages.situation, default, settled)))
     }
 }
 
-/// Groups that are timed, more or less: paths and preparing; pairs, heats and finals in four times the
-/// rounds, since they are reshuffled.
-const GROUPS: usize = 2 + 4 * 6;
-
-/// Triangles that are prepared: corners and records fit the first cache.
-const PREPARED: usize = 256;
-
-/// What the contests on the sample gave.
-struct Contested {
-    pairs: Timed,
-    finals: Finals,
-}
-
-/// Pairs, heats, preparing, finals. `None` when interrupted, or where the default cannot be timed.
-fn contested(
-    situation: &mut Situation,
-    default: &'static Variant,
-    scene: &Scene,
-    bench: &mut Bench<'_>,
-    rows: &mut Vec<Row>,
-) -> Result<Option<Contested>, Trouble> {
-    let looks: Vec<bool> = PIECES.iter().map(|p| (p.look)(situation).is_spare()).collect();
-    let pairs = contest::time(&contest::paired(&|place| looks[place]), default, scene, bench)?;
-    rows.extend(pairs.rows.iter().cloned());
-    let needed = |form: &Form| {
-        let mut pieces = PIECES.iter().zip(&looks);
-        pieces.all(|(piece, is_spare)| *is_spare || !piece.is_left_out_by(form))
+/// All that is told.
+fn found(mesh: &Mesh, situation: &Situation, default: &Variant, settled: Settled) -> Found {
+    let wanted = &situation.wanted;
+    let report = Report {
+        mesh: mesh.name.clone(),
+        rays: wanted.source.word().to_owned(),
+        needs: wanted.output.word(),
+        plan: settled.plan.clone(),
+        answers: settled.answers,
     };
-    let mut forms =
-        contest::candidates(situation.wanted.output, situation.pilot.too_coarse > 0, &needed);
-    if !forms.iter().any(|form| std::ptr::eq(*form, default)) {
-        forms.push(default);
-    }
-    forms.sort_by_key(|variant| variant.axes.kernel);
-    let heats = contest::time(&forms, default, scene, bench)?;
-    rows.extend(heats.rows.iter().cloned());
-    let seed = scene.facts.seed;
-    let some = &scene.triangles[..scene.triangles.len().min(PREPARED)];
-    let stores = prepare::time(&forms, some, seed, bench)?;
-    let tests = situation.crowd.tests_per_triangle();
-    let share = |variant: &Variant| share(&stores, variant, tests);
-    situation.preparing = prepare::worth(&heats, &forms, &stores, tests);
-    let looked = looked(situation, contest::savings(&pairs));
-    let waste = |form: &Form| waste(&looked, form);
-    let finalists = contest::finalists(&heats, &forms, default, &share, &waste);
-    let timed = contest::time(&finalists, default, scene, bench)?;
-    rows.extend(timed.rows.iter().cloned());
-    if bench.cancel.load(Ordering::Relaxed) {
-        return Ok(None);
-    }
-    situation.preparing = prepare::worth(&timed, &finalists, &stores, tests);
-    let finals = contest::finals(&timed, &finalists, default, &share);
-    Ok(finals.map(|finals| Contested { pairs, finals }))
-}
-
-/// What is known of each piece.
-fn looked(situation: &Situation, savings: Vec<Option<Saving>>) -> Vec<Looked<'static>> {
-    let pieces = PIECES.iter().zip(savings);
-    let one = |(piece, saving): (&'static Piece, _)| Looked {
-        piece,
-        look: (piece.look)(situation),
-        saving,
-        back: None,
+    let goes = |piece: &str| settled.plan.left_out.iter().any(|one| one.piece == piece);
+    let structure = match &situation.paths {
+        _ if goes("hierarchy") && goes("bounding volume") => paths::LIST,
+        _ if goes("hierarchy") => paths::BOXED,
+        Some(paths) => &paths.hierarchy,
+        None => paths::HIERARCHIES[0],
     };
-    pieces.map(one).collect()
+    Found {
+        report,
+        triangles: situation.crowd.triangles,
+        structure: structure.to_owned(),
+        default: default.id(),
+        settled,
+    }
 }
 
-/// What preparing adds to a test, ns. What could not be timed is never chosen.
-fn share(stores: &Stores, variant: &Variant, tests_per_triangle: f64) -> f64 {
-    stores.of(variant).map_or(f64::INFINITY, |cost| cost.median / tests_per_triangle)
+/// Everything that pieces are decided by, but for what preparing is worth.
+fn situation(
+    looks: Looks,
+    wanted: Wanted,
+    crowd: &Crowd,
+    pilot: Pilot,
+    walked: Walked,
+    triangles: usize,
+) -> Situation {
+    let crowd = Crowding {
+        rays: crowd.rays.len() as u64,
+        in_use: crowd.in_use,
+        triangles: triangles as u64,
+        tests_per_ray: walked.tests_per_ray,
+    };
+    Situation { looks, wanted, crowd, pilot, paths: walked.paths, preparing: None }
 }
 
-/// Settles on a plan, with the proof that stays.
-fn settled(
-    situation: &Situation,
-    contested: &Contested,
-    default: &'static Variant,
+/// What forms are timed on: without a hierarchy rays against all triangles, else the tests of a search.
+fn sampled(
     asking: &mut Asking<'_, '_>,
-) -> Settled {
-    let mut looked = looked(situation, contest::savings(&contested.pairs));
-    let usual = asking.standing(default);
-    let mut known: Vec<(String, Answers)> = Vec::new();
-    let mut prove = |form: &Form| {
-        if let Some((_, answers)) = known.iter().find(|(id, _)| *id == form.id) {
-            return *answers;
-        }
-        let answers = find(&form.id)
-            .map_or_else(Answers::default, |variant| asking.standing(variant).beside(&usual));
-        known.push((form.id.clone(), answers));
-        answers
+    flat: bool,
+    default: &Variant,
+    seed: u64,
+) -> sample::Sample {
+    let arrangement = if flat { Arrangement::Nearest } else { Arrangement::Pairs };
+    let exactly = asking.exactly;
+    let suits = &mut |ray: &Ray, triangles: &[Triangle]| pilot::is_plain(default, ray, triangles);
+    sample::draw(arrangement, (exactly.rays, &exactly.nearest), asking.nearby, seed, suits)
+}
+
+/// The sample as experiments know it.
+fn scene(workload: String, sample: sample::Sample, seed: u64) -> Scene {
+    let facts = Facts {
+        workload,
+        query: QueryKind::Ray.word(),
+        generator: "pcg",
+        hash: hash::workload(&sample.rays, &sample.triangles),
+        seed,
+        ..Facts::default()
     };
-    settle(&mut looked, &contested.finals, usual.agree(), &mut prove)
+    match sample.arrangement {
+        Arrangement::Nearest => Scene::given(facts, sample.rays, sample.triangles),
+        Arrangement::Pairs => Scene::given_pairs(facts, sample.rays, sample.triangles),
+    }
 }

@@ -13,6 +13,9 @@ pub struct Entry {
     pub form: Form,
     /// ns of a test in each round, its share of preparing the triangle included.
     pub times: Vec<f64>,
+    /// Its time over the default's when the two were timed once more, after it had been chosen: who comes
+    /// first of many owes a part of that to chance.
+    pub again: Option<Saving>,
 }
 
 /// Forms that were measured side by side.
@@ -24,6 +27,32 @@ pub struct Finals {
     pub default: usize,
     /// What identical code differs by, relative.
     pub floor: f64,
+}
+
+impl Finals {
+    /// Time of an entry over that of the default; where the two were timed once more, then.
+    fn beside_default(&self, entry: usize) -> Option<Saving> {
+        let (one, default) = (&self.entries[entry], &self.entries[self.default]);
+        one.again.or_else(|| Saving::of(&one.times, &default.times, self.floor))
+    }
+
+    /// Whether a form was not timed once more; the default has nothing to be timed beside.
+    pub fn is_unconfirmed(&self, id: &str) -> bool {
+        let place = self.place(id).filter(|place| *place != self.default);
+        place.is_some_and(|place| self.entries[place].again.is_none())
+    }
+
+    /// Takes down what came of timing a form beside the default once more; where there were too few rounds,
+    /// what the finals said stands.
+    pub fn confirm(&mut self, id: &str, again: Option<Saving>) {
+        if let Some(place) = self.place(id) {
+            self.entries[place].again = again.or_else(|| self.beside_default(place));
+        }
+    }
+
+    fn place(&self, id: &str) -> Option<usize> {
+        self.entries.iter().position(|entry| entry.form.id == id)
+    }
 }
 
 /// A piece with what is known of it.
@@ -124,8 +153,7 @@ pub fn waste(looked: &[Looked<'_>], form: &Form) -> usize {
 /// Of the forms that do what is needed, and `also` the piece at that place, and are not slower than the
 /// default beyond noise: the one that does least besides, and of several the fastest.
 fn choose(looked: &[Looked<'_>], finals: &Finals, also: Option<usize>) -> usize {
-    let default = &finals.entries[finals.default].times;
-    let beside = |entry: usize| Saving::of(&finals.entries[entry].times, default, finals.floor);
+    let beside = |entry: usize| finals.beside_default(entry);
     // What cannot be compared is not taken.
     let ratio = |entry: usize| beside(entry).map_or(f64::INFINITY, |one| one.ratio.estimate);
     let is_allowed = |entry: &usize| {
@@ -163,9 +191,7 @@ fn told(looked: &[Looked<'_>], finals: &Finals, chosen: usize, answers: Answers)
             plan.kept.push(Kept { piece, because: kept(one, finals, chosen) });
         }
     }
-    let default = &finals.entries[finals.default].times;
-    let beside = Saving::of(&finals.entries[chosen].times, default, finals.floor);
-    let beside_default = beside.filter(|_| chosen != finals.default);
+    let beside_default = finals.beside_default(chosen).filter(|_| chosen != finals.default);
     Settled { plan, answers, beside_default, faster: faster(looked, finals, chosen) }
 }
 

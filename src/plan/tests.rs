@@ -112,6 +112,7 @@ fn finals(ns: [f64; 4]) -> Finals {
     let entry = |(id, ns): (&str, f64)| Entry {
         form: form(id),
         times: rounds.iter().map(|slow| slow * ns).collect(),
+        again: None,
     };
     Finals { entries: FORMS.into_iter().zip(ns).map(entry).collect(), default: 0, floor: 0.01 }
 }
@@ -191,6 +192,40 @@ fn a_plan_is_never_slower_than_the_default() {
     let settled = stage.settle(&spare, [10.0, 10.02, 12.0, 13.0]);
     assert_eq!(settled.plan.variant, "culling");
     assert!(settled.beside_default.is_some_and(|saving| saving.is_noise()));
+}
+
+#[test]
+fn a_plan_that_is_slower_once_more_makes_way() {
+    let times = |ns: f64| [ns, 1.001 * ns, 0.999 * ns, ns, 1.002 * ns, 0.998 * ns, ns, ns];
+    let again = |ns: f64| Saving::of(&times(ns), &times(10.0), 0.01);
+    let look = |piece| Looked { piece, look: Look::Spare("so".into()), saving: None, back: None };
+    let settled = |finals: &Finals| {
+        let mut looked: Vec<Looked<'_>> = PIECES.iter().map(look).collect();
+        let mut prove = |_: &Form| Answers { rays: 5, agree: 5, disagree: 0 };
+        settle(&mut looked, finals, 5, &mut prove)
+    };
+    let before = finals([10.0, 9.0, 20.0, 8.0]);
+    let mut finals = before.clone();
+    let first = settled(&finals).plan.variant;
+    assert!(finals.is_unconfirmed(&first) && !finals.is_unconfirmed("usual"));
+    finals.confirm(&first, again(8.5));
+    let confirmed = settled(&finals);
+    assert_eq!(confirmed.plan.variant, first);
+    let saving = confirmed.beside_default.expect("it is not the default");
+    assert!((saving.percent() - 15.0).abs() < 1e-6, "the later times count: {}", saving.words());
+    assert!(!finals.is_unconfirmed(&first));
+    finals.confirm(&first, again(10.5));
+    let second = settled(&finals).plan.variant;
+    assert!(second != first && second != "usual" && finals.is_unconfirmed(&second), "{second}");
+    finals.confirm(&second, again(10.5));
+    assert_eq!(settled(&finals).plan.variant, "usual");
+    // Without enough rounds the finals' own times stand.
+    let mut finals = before;
+    finals.confirm(&first, None);
+    let unconfirmed = settled(&finals);
+    assert_eq!(unconfirmed.plan.variant, first);
+    assert!(!finals.is_unconfirmed(&first));
+    assert!((unconfirmed.beside_default.expect("as before").percent() - 20.0).abs() < 1e-6);
 }
 
 #[test]

@@ -17,6 +17,11 @@ pub(super) fn has_a_vertex(text: &[u8]) -> bool {
 
 /// The mesh of all objects and groups in the file.
 pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, ReadError> {
+    // The loader tells of an index that is too large when all the rest is built.
+    let looked = Sieve::new(bytes).look();
+    if looked.refused.is_some() || looked.largest.0 > looked.vertices as i64 {
+        return Err(refusal(file, &looked, LoadError::FaceVertexOutOfBounds));
+    }
     let mut sieve = Sieve::new(bytes);
     // Materials are never asked for: their lines do not pass the sieve.
     let loaded = tobj::load_obj_buf(&mut sieve, &OPTIONS, |_| Err(LoadError::GenericFailure));
