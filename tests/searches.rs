@@ -130,7 +130,7 @@ fn searches_that_were_interrupted_are_gone_on_with() {
     for text in [STRUCTURES, PICTURES] {
         let mut whole = Memory::default();
         let undisturbed = run_until(text, usize::MAX, &mut whole);
-        for blocks in [1, 400] {
+        for blocks in [1, 100] {
             let mut memory = Memory::default();
             let interrupted = run_until(text, blocks, &mut memory);
             assert!(interrupted.interrupted && memory.0.len() < whole.0.len(), "{blocks}");

@@ -128,6 +128,9 @@ impl<'a> Member<'a> {
     }
 }
 
+/// The answers that structures must give, by the kernel at their leaves.
+type Known = std::collections::BTreeMap<String, Vec<Answer>>;
+
 /// What the searches of a group have in common.
 struct Group<'a> {
     plan: &'a Plan,
@@ -149,9 +152,11 @@ impl Group<'_> {
     ) -> Result<(), Trouble> {
         let first = measured.rows.len();
         let (mut places, mut contestants) = (Vec::new(), Vec::new());
+        let mut known = Known::default();
         for member in members {
             let mut row = self.row(member, set);
-            if let Some(contestant) = self.checked(member, set, &mut row, &mut measured.wrong) {
+            let wrong = &mut measured.wrong;
+            if let Some(contestant) = self.checked(member, set, &mut row, wrong, &mut known) {
                 places.push(measured.rows.len());
                 contestants.push(contestant);
             }
@@ -200,6 +205,7 @@ impl Group<'_> {
         set: &Set<'_>,
         row: &mut Row,
         wrong: &mut Vec<String>,
+        known: &mut Known,
     ) -> Option<Contestant> {
         let subject = member.subject;
         if let Some(reason) = subject.lacks() {
@@ -217,7 +223,8 @@ impl Group<'_> {
         row.outputs_hash = outputs_hash(ready.job.as_mut());
         let mut reason = judgement.wrong.filter(|_| subject.claims_exactness());
         if let Subject::General(_, leaf) = subject {
-            let differences = set.differences(&answers, &self.wanted(leaf, set));
+            let wanted = known.entry(leaf.axes.id()).or_insert_with(|| self.wanted(leaf, set));
+            let differences = set.differences(&answers, wanted);
             row.differences = Some(differences.all);
             row.excused = Some(differences.excused);
             let lost = |ray| format!("ray {ray}: the list's answer is lost, and is no false hit");
