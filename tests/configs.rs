@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 43] = [
+const IDS: [&str; 47] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -44,12 +44,16 @@ const IDS: [&str; 43] = [
     "padding",
     "parallel",
     "peers-facing",
+    "peers-scene",
     "peers",
+    "pictures",
     "points",
     "precision",
     "precompute",
     "projection",
     "reciprocal",
+    "structures-million",
+    "structures",
     "tests-form",
     "tests-order",
 ];

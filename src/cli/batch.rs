@@ -36,7 +36,20 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
 
 /// The experiments that are compiled in, and the stiff cases.
 pub fn reproduce(arguments: &Reproduce) -> Result<(), Failure> {
-    carry_out(built_in_sources(), &arguments.batch, true)
+    carry_out(parts(built_in_sources())?, &arguments.batch, true)
+}
+
+/// The experiments that are part of `reproduce`; the others are named.
+fn parts(sources: Vec<Source>) -> Result<Vec<Source>, Failure> {
+    let (mut parts, mut apart) = (Vec::new(), Vec::new());
+    for (origin, text) in sources {
+        let is_part = Experiment::parse(&origin, &text)?.reproduce;
+        if is_part { parts.push((origin, text)) } else { apart.push(origin) }
+    }
+    if !apart.is_empty() {
+        eprintln!("not part of it, to be run by themselves: `ray_test run {}`", apart.join(" "));
+    }
+    Ok(parts)
 }
 
 /// Everything that can be refused is refused before anything runs.

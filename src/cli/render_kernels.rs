@@ -4,7 +4,7 @@ use super::failure::Failure;
 use crate::check::{Precision, form, kernels};
 use crate::job::Answer;
 use crate::oracle::Query;
-use crate::registry::{Asked, LeafForm, Variant, asked, find, leaves, listing_leaves};
+use crate::registry::{Asked, LeafForm, Variant, asked, find, leaves};
 use crate::render::AskingLeaf;
 use crate::structure::Leaf;
 use crate::workload::Triangle;
@@ -34,8 +34,7 @@ enum Prepare {
 impl Chosen {
     fn of(word: &str, asked: &Asked) -> Self {
         let id = asked.id();
-        let mut known = leaves().into_iter().chain(listing_leaves());
-        let once = known.find(|leaf: &LeafForm| leaf.axes.id() == id);
+        let once = leaves().into_iter().find(|leaf: &LeafForm| leaf.axes.id() == id);
         Chosen {
             word: word.to_owned(),
             is_segment: asked.is_segment,

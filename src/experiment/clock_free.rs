@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::plan::Plan;
 use super::run::{Outcome, RunError};
 use super::workload::{PairsWorkload, Workload};
-use super::{counts, errors, stiff};
+use super::{counts, errors, search, stiff};
 use crate::shard::Shard;
 use crate::table::Row;
 use crate::workload::WorkloadError;
@@ -21,6 +21,7 @@ pub fn is_clock_free(workload: &Workload) -> (bool, bool) {
         Workload::Pairs(PairsWorkload { errors, stiff, .. }) => {
             (errors.is_some() || stiff.is_some(), true)
         }
+        Workload::Structures(sets) => (sets.counted.is_some(), true),
         _ => (false, true),
     }
 }
@@ -63,6 +64,7 @@ pub(super) fn rows(
             }
             Ok(rows)
         }
+        Workload::Structures(sets) => search::counted_rows(id, sets, seed, shard, cancel),
         _ => Ok(Vec::new()),
     }
 }

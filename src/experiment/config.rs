@@ -26,6 +26,9 @@ pub struct Experiment {
     /// without it skips the experiment.
     #[serde(default)]
     pub feature: String,
+    /// Whether it is part of `ray_test reproduce`; what takes long for what it says is run by itself.
+    #[serde(default = "part")]
+    pub reproduce: bool,
     /// Ids of the claims that its rows decide.
     #[serde(default)]
     pub claims: Vec<String>,
@@ -57,6 +60,10 @@ pub struct Experiment {
 
 /// Features that an experiment may need, and whether this build has them.
 const FEATURES: [(&str, bool); 1] = [("peers", cfg!(feature = "peers"))];
+
+fn part() -> bool {
+    true
+}
 
 fn seed() -> u64 {
     1

@@ -1,6 +1,5 @@
 //! What an experiment will do, and how long it will take, before it does it.
 
-use super::bounds;
 use super::calls::{CALL_CONTROLS, call_rounds};
 use super::cells::{CONTROLS, MOST_SUBJECTS};
 use super::codes::USUAL_EXITS;
@@ -8,6 +7,7 @@ use super::config::{ConfigError, Experiment};
 use super::precompute::PrecomputeWorkload;
 use super::select::select;
 use super::workload::Workload;
+use super::{bounds, pictures, search};
 use crate::measure::{Order, Protocol};
 use crate::registry::{self, Variant, units};
 
@@ -96,7 +96,9 @@ impl Plan {
             | Workload::Counts
             | Workload::Arithmetic
             | Workload::Errors(_)
-            | Workload::Memory(_) => Vec::new(),
+            | Workload::Memory(_)
+            | Workload::Structures(_)
+            | Workload::Pictures(_) => Vec::new(),
             Workload::Precompute(_) => vec![(None, Order::Fixed)],
         }
     }
@@ -112,6 +114,8 @@ impl Plan {
     pub fn seconds(&self, profile: Profile) -> f64 {
         let around = match &self.experiment.workload {
             Workload::Memory(sets) => sets.seconds_around(&self.ready(), profile.rounds()),
+            Workload::Structures(sets) => search::seconds_around(sets),
+            Workload::Pictures(sets) => pictures::seconds_around(sets, profile.rounds()),
             _ => 0.0,
         };
         self.blocks_as(profile, |_| Order::Fixed) as f64 * 120e-6 + around
@@ -133,6 +137,8 @@ impl Plan {
         let ready = self.ready();
         let more = match &self.experiment.workload {
             Workload::Memory(sets) => return sets.blocks(&ready, profile.rounds()),
+            Workload::Structures(sets) => return search::blocks(sets, profile.rounds()),
+            Workload::Pictures(sets) => return pictures::blocks(sets, profile.rounds()),
             Workload::Codes(codes) => {
                 let of_listing = rounds(USUAL_EXITS + CONTROLS, Order::Fixed);
                 return ready.len() * codes.orders.len() * of_listing;

@@ -9,7 +9,10 @@ use super::plan::Plan;
 use super::rows::{put_percent_slower, put_seconds_mean};
 use super::scene::Scene;
 use super::workload::Workload;
-use super::{arithmetic, bounds, clock_free, codes, memory, points, precompute, prices, useful};
+use super::{
+    arithmetic, bounds, clock_free, codes, memory, pictures, points, precompute, prices, search,
+    useful,
+};
 use crate::measure::{Order, ProtocolError};
 use crate::shard::Shard;
 use crate::table::Row;
@@ -75,6 +78,8 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
         }
         Workload::Memory(sets) => outcome.take(memory::run(plan, sets, bench)?),
         Workload::Precompute(forms) => outcome.take(precompute::run(plan, forms, bench)?),
+        Workload::Structures(sets) => outcome.take(search::run(plan, sets, bench)?),
+        Workload::Pictures(sets) => outcome.take(pictures::run(plan, sets, bench)?),
         Workload::Arithmetic => outcome.rows = arithmetic::run(id, seed, bench)?,
         _ => run_cells(plan, bench, &mut outcome)?,
     }
@@ -155,7 +160,9 @@ fn scene(plan: &Plan, density: Option<f64>, order: Order) -> Result<Scene, Workl
         | Workload::Arithmetic
         | Workload::Errors(_)
         | Workload::Memory(_)
-        | Workload::Precompute(_) => {
+        | Workload::Precompute(_)
+        | Workload::Structures(_)
+        | Workload::Pictures(_) => {
             unreachable!("these have no cells")
         }
     }

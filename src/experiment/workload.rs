@@ -4,7 +4,9 @@ use serde::Deserialize;
 
 use super::memory_workload::MemoryWorkload;
 use super::nearest_workload::NearestWorkload;
+use super::pictures::PicturesWorkload;
 use super::precompute::PrecomputeWorkload;
+use super::search::StructuresWorkload;
 use super::stiff::StiffWorkload;
 use crate::measure::Order;
 use crate::registry::Variant;
@@ -32,6 +34,10 @@ pub enum Workload {
     Precompute(PrecomputeWorkload),
     /// Errors of random hits over several seeds; no clock.
     Errors(ErrorsWorkload),
+    /// Rays through structures around triangles.
+    Structures(StructuresWorkload),
+    /// Pictures by ray tracing.
+    Pictures(PicturesWorkload),
 }
 
 /// Pairs at an exact hit density.
@@ -121,7 +127,13 @@ pub struct ErrorsWorkload {
 impl Workload {
     /// Whether it is variants that are run.
     pub fn has_variants(&self) -> bool {
-        !matches!(self, Workload::Counts | Workload::Arithmetic)
+        !matches!(
+            self,
+            Workload::Counts
+                | Workload::Arithmetic
+                | Workload::Structures(_)
+                | Workload::Pictures(_)
+        )
     }
 
     /// Whether a variant can be run on it.
@@ -152,6 +164,8 @@ impl Workload {
             Workload::Errors(errors) => errors.validate(),
             Workload::Memory(memory) => memory.validate(),
             Workload::Precompute(forms) => forms.validate(),
+            Workload::Structures(structures) => structures.validate(),
+            Workload::Pictures(pictures) => pictures.validate(),
             Workload::Counts | Workload::Arithmetic => Ok(()),
         }
     }

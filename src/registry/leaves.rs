@@ -7,6 +7,7 @@ use crate::policy::{Between, Compare, Division, Early, First, Form, Last, Plain,
 use crate::structure::{KernelLeaf, Leaf, ListingLeaf};
 use crate::workload::Triangle;
 
+use super::asked::listing_axes;
 use super::{Axes, KernelVisitor, ListingVisitor, Offers, visit_kernels, visit_listings};
 
 /// One kernel, or one of its stored forms, as a leaf.
@@ -43,12 +44,7 @@ impl KernelVisitor for Leaves<'_> {
 
 impl ListingVisitor for Leaves<'_> {
     fn listing<K: Listing>(&mut self, division: &'static str) {
-        let axes = Axes {
-            division,
-            leading: "inside",
-            stored: K::ABOUT.stored,
-            ..Axes::usual(K::ABOUT.id, "f32", LEVEL)
-        };
+        let axes = listing_axes::<K>("f32", division);
         let prepare = |triangles: &[Triangle]| -> Box<dyn Leaf> {
             Box::new(ListingLeaf::<K>::new(triangles))
         };

@@ -10,8 +10,6 @@ mod every;
 mod forms;
 #[cfg(feature = "cli")]
 mod leaves;
-#[cfg(feature = "cli")]
-mod listing_leaves;
 mod listings;
 mod offers;
 mod packets;
@@ -32,8 +30,6 @@ pub use axes::{Axes, COLUMNS};
 pub use every::{KernelVisitor, ListingVisitor, visit_kernels, visit_listings};
 #[cfg(feature = "cli")]
 pub use leaves::{LeafForm, leaves};
-#[cfg(feature = "cli")]
-pub use listing_leaves::listing_leaves;
 pub use offers::{Offers, Other};
 pub use streams::{OneStream, streams};
 #[cfg(feature = "cli")]

@@ -53,7 +53,7 @@ const PLAIN: Sense = Sense {
 };
 
 /// Times by the way they end.
-const TIMES: [(&str, &str); 9] = [
+const TIMES: [(&str, &str); 11] = [
     ("ns_per_test", "ns"),
     ("min_ns", "ns"),
     ("ns_per_triangle", "ns"),
@@ -63,6 +63,8 @@ const TIMES: [(&str, &str); 9] = [
     ("seconds", "s"),
     ("ratio_to_reference", ""),
     ("floor_ns", "ns"),
+    ("seconds_per_frame", "s"),
+    ("build_ms", "ms"),
 ];
 
 /// Parts of the names of errors and failures.
@@ -90,7 +92,7 @@ const RISING: Sense = Sense {
 const NEITHER: Sense = Sense { better: Better::Neither, ..RISING };
 
 /// Columns that are spoken of in words of their own.
-const NAMED: [(&str, Sense); 10] = [
+const NAMED: [(&str, Sense); 14] = [
     ("mtests_per_s", Sense { better: Better::More, unit: "M tests/s", ..TIME }),
     ("percent_slower", Sense { unit: "%", ..TIME }),
     ("bound_fraction", LIMIT),
@@ -99,9 +101,16 @@ const NAMED: [(&str, Sense); 10] = [
     ("useful_lanes", RISING),
     ("attained_share", RISING),
     ("pays_from_rays", Sense { best: "pays soonest", worst: "pays latest", unit: "rays", ..PLAIN }),
+    ("pays_triangles", SOONEST),
+    ("pays_triangles_built", SOONEST),
+    ("frames_per_s", Sense { better: Better::More, unit: "pictures/s", ..TIME }),
+    ("intersection_percent", Sense { unit: "%", ..NEITHER }),
     ("share", Sense { unit: "%", ..NEITHER }),
     ("price", NEITHER),
 ];
+
+const SOONEST: Sense =
+    Sense { best: "pays soonest", worst: "pays latest", unit: "triangles", ..PLAIN };
 
 const LIMIT: Sense = Sense {
     best: "comes closest to the limit",

@@ -3,10 +3,11 @@
 use super::{Counts, Leaf, Search, Structure};
 use crate::job::{Answer, Block, Job, Tally};
 use crate::workload::Ray;
+use std::rc::Rc;
 
 /// Rays, one after the other, through a structure.
 pub struct StructureJob {
-    structure: Box<dyn Structure>,
+    structure: Rc<dyn Structure>,
     search: Search,
     original: Vec<Ray>,
     rays: Vec<Ray>,
@@ -15,15 +16,15 @@ pub struct StructureJob {
 
 impl StructureJob {
     /// The nearest hit of each ray, or with `any` whether there is one. `structure` holds the triangles of
-    /// `leaf`.
+    /// `leaf`; jobs of other rays may share it.
     pub fn new(
-        structure: Box<dyn Structure>,
+        structure: impl Into<Rc<dyn Structure>>,
         leaf: Box<dyn Leaf>,
         rays: &[Ray],
         any: bool,
     ) -> Self {
         let (search, original) = (Search::new(leaf), rays.to_vec());
-        StructureJob { structure, search, rays: original.clone(), original, any }
+        StructureJob { structure: structure.into(), search, rays: original.clone(), original, any }
     }
 
     /// What one pass over all rays does.

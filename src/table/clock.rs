@@ -73,6 +73,20 @@ pub const CLOCK_COLUMNS: &[&str] = &[
     "total_cycles_per_ray",
     "total_cycles_per_ray_low",
     "total_cycles_per_ray_high",
+    "build_ms",
+    "build_low",
+    "build_high",
+    "build_pays_rays",
+    "predicted_ratio",
+    "predicted_low",
+    "predicted_high",
+    "pays_as_predicted",
+    "growth",
+    "pays_triangles",
+    "pays_triangles_built",
+    "seconds_per_frame",
+    "frames_per_s",
+    "intersection_percent",
 ];
 
 /// Statuses that were given before anything was timed.

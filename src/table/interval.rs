@@ -3,7 +3,7 @@
 use super::Row;
 
 /// Columns that have an interval of their own in the same row, or share that of the time.
-const WITH_INTERVAL: [&str; 11] = [
+const WITH_INTERVAL: [&str; 14] = [
     "ratio_to_reference",
     "price",
     "ns_per_test",
@@ -15,6 +15,9 @@ const WITH_INTERVAL: [&str; 11] = [
     "cycles_per_test",
     "seconds",
     "mtests_per_s",
+    "build_ms",
+    "predicted_ratio",
+    "seconds_per_frame",
 ];
 
 /// Whether figures of a column come with an interval, where enough rounds were measured.
@@ -36,7 +39,11 @@ pub fn interval(row: &Row, column: &str, y: f64) -> Option<(f64, f64)> {
         "prepare_cycles_per_triangle" => (row.prepare_cycles_low?, row.prepare_cycles_high?),
         "pays_from_rays" => (row.pays_from_low?, row.pays_from_high?),
         "cycles_per_test" => (row.cycles_low?, row.cycles_high?),
-        "seconds" => (y * row.ns_low? / row.ns_per_test?, y * row.ns_high? / row.ns_per_test?),
+        "build_ms" => (row.build_low?, row.build_high?),
+        "predicted_ratio" => (row.predicted_low?, row.predicted_high?),
+        "seconds" | "seconds_per_frame" => {
+            (y * row.ns_low? / row.ns_per_test?, y * row.ns_high? / row.ns_per_test?)
+        }
         "mtests_per_s" => (y * row.ns_per_test? / row.ns_high?, y * row.ns_per_test? / row.ns_low?),
         _ => return None,
     };

@@ -3,7 +3,7 @@
 use super::Row;
 
 /// Columns that say what was measured, besides the id.
-pub const SUBJECT_COLUMNS: [&str; 22] = [
+pub const SUBJECT_COLUMNS: [&str; 24] = [
     "experiment",
     "kernel",
     "precision",
@@ -26,11 +26,13 @@ pub const SUBJECT_COLUMNS: [&str; 22] = [
     "record",
     "family",
     "ray_class",
+    "structure",
+    "variation",
 ];
 
 /// Columns that say on what it was measured. One subject under other settings than before is not
 /// the same measurement.
-pub const SETTING_COLUMNS: [&str; 14] = [
+pub const SETTING_COLUMNS: [&str; 15] = [
     "level",
     "workload",
     "order",
@@ -45,6 +47,7 @@ pub const SETTING_COLUMNS: [&str; 14] = [
     "seed",
     "knob",
     "rays_per_triangle",
+    "scene",
 ];
 
 impl Row {

@@ -5,6 +5,9 @@ use thiserror::Error;
 /// A specification that is refused, or that could not be met.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum WorkloadError {
+    /// A built-in scene that cannot be made.
+    #[error("{0}")]
+    Scene(String),
     /// A number of things outside what is allowed.
     #[error("{what} is {value}; allowed is {low} to {high}")]
     Count {

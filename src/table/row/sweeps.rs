@@ -31,7 +31,8 @@ macro_rules! sweeps_columns {
             kappa_b_p99: Option<f64>,
             /// Hits reported of cases whose input is not finite.
             hits_of_not_finite: Option<u64>,
-            /// What rays are aimed at: `random`, `edge`, `vertex`, `exact edge`, `exact vertex`.
+            /// What rays are aimed at: `random`, `edge`, `vertex`, `exact edge`, `exact vertex`. Searches: where
+            /// they come from, `primary` or `random`.
             ray_class: String,
             /// Rays that exactly leave the mesh, and hit no triangle.
             leaks: Option<u64>,

@@ -1,4 +1,4 @@
-//! Thesis H and what came after.
+//! Thesis H, the lecture and the coursebook.
 
 use super::{Case, case};
 use crate::claims::Verdict;
@@ -239,5 +239,56 @@ pub const CASES: &[Case] = &[
         &[("divide", "sse2/packet4", 8.0)],
     ),
     case("H-5.0", &[("low", "a", 0.999), ("high", "a", 1.001)], &[("high", "a", 1.1)]),
+    // Ten times the triangles take ten times as long, and in a hierarchy as much more as they have digits.
+    case(
+        "H-6.2",
+        &[
+            ("list", "1000", 1e3),
+            ("list", "10000", 1e4),
+            ("list", "100000", 1e5),
+            ("time", "surface|kd-tree/100", 2.0),
+            ("time", "surface|kd-tree/1000", 3.0),
+            ("time", "surface|kd-tree/10000", 4.0),
+            ("time", "surface|kd-tree/100000", 5.0),
+            ("volumes", "1000", 30.0),
+            ("volumes", "100000", 49.0),
+            ("tests", "1000|100000", 3.0),
+        ],
+        &[("time", "kd-tree/100000", 50.0)],
+    ),
+    case(
+        "L-1",
+        &[("ratio", "icosphere/20/wald", 2.0), ("ratio", "icosphere/320/wald", 30.0)],
+        &[("ratio", "icosphere/320/wald", 15.0)],
+    ),
+    case(
+        "L-2",
+        &[
+            ("agrees", "box|sphere/8|128/1|4", 1.0),
+            ("time", "1000", 1e3),
+            ("time", "10000", 1e4),
+            ("time", "100000", 1e5),
+        ],
+        &[("agrees", "box/128/4", 0.0)],
+    ),
+    case(
+        "L-3",
+        &[("error", "soup|terrain", 3.0), ("pairs", "soup|terrain", 100.0)],
+        &[("error", "terrain", 7.0)],
+    ),
+    case(
+        "L-4",
+        &[("volumes", "soup|terrain/as given", 20.0), ("volumes", "soup|terrain/along x", 30.0)],
+        &[("volumes", "terrain/along x", 20.0)],
+    ),
+    case(
+        "L-5",
+        &[
+            ("cells", "soup|terrain/grid", 17.0),
+            ("cells", "soup|terrain/octree", 13.0),
+            ("cells", "soup|terrain/kd-tree", 7.0),
+        ],
+        &[("cells", "terrain/kd-tree", 14.0)],
+    ),
     case("C-1", &[("time", "lanes/a", 1.0)], &[("time", "packets/b", 0.01)]),
 ];

@@ -166,6 +166,15 @@ pub const CASES: &[Case] = &[
         &[("mul", "badouel/0", 14.0)],
     ),
     case(
+        "B-5",
+        &[
+            ("time", "20|320/moller1", 2.0),
+            ("time", "20/badouel|chirkov-line", 2.2),
+            ("time", "320/badouel|chirkov-line", 3.0),
+        ],
+        &[("time", "320/badouel|chirkov-line", 2.1)],
+    ),
+    case(
         "B-6",
         &[("bytes", "moller1", 36.0), ("bytes", "badouel|chirkov-line", 64.0)],
         &[("bytes", "moller1", 100.0)],
