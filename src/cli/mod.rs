@@ -20,6 +20,7 @@ mod instruments;
 mod interrupt;
 mod list;
 mod lock;
+mod manual;
 mod progress;
 mod publish;
 mod recommend;
@@ -94,5 +95,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Scene(scene)) => scene::run(&scene),
         Some(Verb::Recommend(recommend)) => recommend::run(&recommend),
         Some(Verb::Render(render)) => render::run(&render),
+        Some(Verb::Completions(asked)) => manual::completions(&asked),
+        Some(Verb::Man(asked)) => manual::man(&asked),
     }
 }
