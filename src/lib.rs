@@ -8,7 +8,8 @@
 //!  stats ────> measure <─ job ──────────────────────────────┘                 waist ─> compare ──┘
 //! ```
 //! Data flows one way. Left of the waist nothing can draw; right of it nothing can run a kernel.
-//! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock; [`scene`] reads
+//! [`check`] judges anyone's cases, [`stability`] sweeps stiff ones, without a clock; [`own`] takes a
+//! kernel that you have written, judges it and measures it beside ours; [`scene`] reads
 //! meshes, draws rays for them, and says what both are like; [`render`] makes pictures of them;
 //! [`doctor`] measures a kernel against copies of itself, to tell what the machine is good for.
 //! From stored rows alone, [`results`] puts runs together, [`claims`] judges published statements,
@@ -68,6 +69,32 @@
 //! let exact = solve(&Query::of(&ray, &triangle));
 //! assert_eq!((exact.class, exact.t, exact.u, exact.v), (Class::Edge, 1.0, 0.5, 0.5));
 //! ```
+//!
+//! A kernel of your own is held to it, and measured beside ours, with [`own`]; it is a function over
+//! plain numbers. `examples/own_kernel.rs` times one as well. Here one that always hits:
+//!
+//! ```
+//! use ray_test::own::{Entrant, Hit, OwnKernel, Ray, Triangle, examine};
+//!
+//! struct Always;
+//!
+//! impl OwnKernel for Always {
+//!     const NAME: &'static str = "always";
+//!     type Number = f32;
+//!     type Record = ();
+//!     fn prepare(_: &Triangle<f32>) {}
+//!     fn test(_: &Ray<f32>, _: &()) -> Option<Hit<f32>> {
+//!         Some(Hit { t: 1.0, u: 0.25, v: 0.5 })
+//!     }
+//! }
+//!
+//! let found = &examine(&[Entrant::own::<Always>()], 10, 1)?[0];
+//! // Half of the 100 random pairs miss.
+//! assert_eq!(found.pairs.accuracy.false_hits, 50);
+//! assert!(found.pairs.wrong.is_some());
+//! assert!(found.families.iter().all(|family| family.hits == family.cases));
+//! # Ok::<(), ray_test::workload::WorkloadError>(())
+//! ```
 #![forbid(unsafe_code)]
 
 pub mod number;
@@ -106,8 +133,11 @@ pub mod stats;
 
 pub mod measure;
 
-#[cfg(feature = "cli")]
 pub mod spread;
+
+pub mod stability;
+
+pub mod own;
 
 #[cfg(feature = "cli")]
 pub mod shard;
@@ -135,9 +165,6 @@ pub mod report;
 
 #[cfg(feature = "cli")]
 pub mod compare;
-
-#[cfg(feature = "cli")]
-pub mod stability;
 
 #[cfg(feature = "cli")]
 pub mod scene;

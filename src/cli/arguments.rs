@@ -7,6 +7,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use super::baseline::Baselines;
 use super::check::{self, Check};
 use super::compare::Compare;
+use super::manual::{self, Completions, Manual};
 use super::recommend::{self, Recommend};
 use super::render::{self, Render};
 use super::report::{self, Report};
@@ -119,6 +120,12 @@ pub enum Verb {
     /// Make a picture of a scene with any kernel: its time, and where it differs from the exact one
     #[command(after_help = render::HELP)]
     Render(Render),
+    /// Print the script by which a shell completes
+    #[command(after_help = manual::COMPLETIONS_HELP)]
+    Completions(Completions),
+    /// Print a page for man
+    #[command(after_help = manual::MAN_HELP, hide = true)]
+    Man(Manual),
 }
 
 /// `ray_test run`

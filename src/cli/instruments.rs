@@ -2,14 +2,12 @@
 
 use super::failure::Failure;
 use crate::experiment::{Bench, Distraction, Keep};
-use crate::job::Job;
 use crate::level::levels;
 use crate::measure::{
     Counters, Environment, HardwareCounters, InvoluntarySwitches, NeighbourRuler, NoCounters,
-    NoRuler, Pin, Ruler, WallClock, allowed_cpus, pin,
+    NoRuler, Pin, Ruler, WallClock, alike_cpus, allowed_cpus, pin,
 };
-use crate::registry::variants;
-use crate::workload::{PairSpec, Pairs};
+use crate::registry::busy_kernel;
 use std::ffi::OsStr;
 use std::sync::atomic::AtomicBool;
 
@@ -47,7 +45,7 @@ impl Instruments {
         environment.levels = levels().into_iter().filter_map(has).collect();
         let mut disturbance = InvoluntarySwitches;
         let cpus = match wanted {
-            Pin::Auto if !has_two_kinds() => allowed_cpus().unwrap_or_default(),
+            Pin::Auto => alike_cpus(),
             _ => Vec::new(),
         };
         let pinned = pin(wanted, &mut clock, &mut disturbance);
@@ -61,7 +59,7 @@ impl Instruments {
             Err(_) => Box::new(NoCounters),
         };
         let forget = Distraction::new();
-        let ruler: Box<dyn Ruler> = match crowd_kernel() {
+        let ruler: Box<dyn Ruler> = match busy_kernel() {
             Some(kernel) => Box::new(NeighbourRuler::new(kernel, cpus, &mut clock)),
             None => Box::new(NoRuler),
         };
@@ -110,11 +108,6 @@ impl Instruments {
     }
 }
 
-/// Whether some processors are slower by design: Linux lists the two kinds of hybrid ones so.
-fn has_two_kinds() -> bool {
-    std::path::Path::new("/sys/devices/cpu_atom").exists()
-}
-
 /// Environment variable that sets another patience.
 const VARIABLE: &str = "RAY_TEST_PATIENCE";
 /// Groups of one experiment that are measured again beside a neighbour, for every 64 rounds: some
@@ -135,20 +128,6 @@ fn patience(asked: Option<&OsStr>) -> Result<Option<u32>, Failure> {
             "{VARIABLE}: '{text}'; allowed: a whole number from 0 to {MOST_PATIENCE}"
         ))
     })
-}
-
-/// Pairs of the ruler's kernel: near, and its whole time.
-const PAIRS: usize = 64;
-
-/// The reference's algorithm at the lowest level that there is, computing everything.
-fn crowd_kernel() -> Option<Box<dyn Job>> {
-    let pairs = Pairs::draw(PairSpec::new(PAIRS, 0.5, 1)).ok()?;
-    let full = variants().iter().find(|variant| {
-        let axes = &variant.axes;
-        let drive = axes.drive == "single" && axes.exit == "full" && axes.output == "tuv";
-        axes.kernel == "moller-trumbore" && drive && (variant.available)()
-    })?;
-    full.pairs.as_ref().map(|bind| bind(&pairs.rays, &pairs.triangles))
 }
 
 #[cfg(test)]

@@ -21,6 +21,7 @@ mod interrupt;
 mod known;
 mod list;
 mod lock;
+mod manual;
 mod progress;
 mod publish;
 mod recommend;
@@ -95,5 +96,7 @@ fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(Verb::Scene(scene)) => scene::run(&scene),
         Some(Verb::Recommend(recommend)) => recommend::run(&recommend),
         Some(Verb::Render(render)) => render::run(&render),
+        Some(Verb::Completions(asked)) => manual::completions(&asked),
+        Some(Verb::Man(asked)) => manual::man(&asked),
     }
 }

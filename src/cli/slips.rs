@@ -1,7 +1,6 @@
 //! A word in place of a density that is meant as a verb.
 
-/// Words that are verbs of this program, now or in a later version: a lone one that is close to
-/// them is a slip, not a density.
+/// Words that are verbs of this program: a lone one that is close to them is a slip, not a density.
 const VERBS: [&str; 13] = [
     "run",
     "reproduce",
@@ -25,25 +24,6 @@ const ALIKE: f64 = 0.85;
 pub fn slip(word: &str) -> Option<String> {
     if word.parse::<f64>().is_ok() || word == "all" {
         return None;
-    }
-    let here = [
-        "run",
-        "reproduce",
-        "doctor",
-        "list",
-        "compare",
-        "stability",
-        "check",
-        "recommend",
-        "render",
-        "report",
-        "scene",
-        "help",
-    ];
-    let known: Vec<String> = here.iter().map(|verb| format!("'{verb}'")).collect();
-    if VERBS.contains(&word) && !here.contains(&word) {
-        let known = known.join(", ");
-        return Some(format!("'{word}' is not in this version; allowed: {known}, or a DENSITY"));
     }
     let alike = |verb: &&str| strsim::jaro_winkler(word, verb);
     let best = VERBS.into_iter().max_by(|a, b| alike(a).total_cmp(&alike(b)))?;

@@ -1,9 +1,7 @@
 //! What is examined: the reference kernel and its copies, which should be equal.
 
 use crate::experiment::{Bench, Facts, Scene, control};
-use crate::measure::{
-    Chain, Contestant, EmptyLoop, GroupReport, Order, Protocol, ProtocolError, Role,
-};
+use crate::measure::{Contestant, GroupReport, Order, Protocol, ProtocolError, Role, yardsticks};
 use crate::registry::{self, REFERENCE, Variant};
 use crate::workload::{PairSpec, Pairs, WorkloadError};
 
@@ -68,12 +66,8 @@ impl Ward {
     /// others tell the noise.
     pub(super) fn group(&self, subject: Option<usize>) -> Result<Vec<Contestant>, DoctorError> {
         let reference = self.reference(Role::Reference)?;
-        let empty = EmptyLoop::like(reference.job.as_ref());
-        let mut group = vec![
-            reference,
-            Contestant::new("empty loop", Role::Empty, Box::new(empty)),
-            Contestant::new("chain", Role::Chain, Box::new(Chain::default())),
-        ];
+        let yardsticks = yardsticks(reference.job.as_ref());
+        let mut group: Vec<Contestant> = std::iter::once(reference).chain(yardsticks).collect();
         for (number, copy) in self.copies.iter().enumerate() {
             let role = if subject == Some(number) { Role::Subject } else { Role::Placebo };
             group.extend(control(copy, role, &self.scene));

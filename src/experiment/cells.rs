@@ -8,17 +8,13 @@ use super::limits::least_cycles;
 use super::rows::{blank, outputs_hash, put_group, put_interrupted};
 use super::run::Trouble;
 use super::scene::Scene;
-use crate::measure::{Chain, Contestant, EmptyLoop, Figures, Order, PREDICTED_TESTS, Role, Status};
+pub use crate::measure::MOST_SUBJECTS;
+use crate::measure::{
+    Contestant, Figures, Order, PLACEBOS, PREDICTED_TESTS, Role, Status, yardsticks,
+};
 use crate::registry::{self, Variant};
 use crate::rows::put_accuracy;
 use crate::table::Row;
-
-/// A variant may be in one group with so many others: with the controls they stay within what a
-/// branch predictor holds of a replayed set.
-pub const MOST_SUBJECTS: usize = 12;
-
-/// Copies of the reference in a group; several, since copies differ by where they lie.
-const PLACEBOS: usize = 2;
 
 /// Reference, placebos, empty loop and chain.
 pub const CONTROLS: usize = 3 + PLACEBOS;
@@ -232,11 +228,8 @@ fn add_controls(contestants: &mut Vec<Contestant>, reference: &'static Variant, 
     for copy in copies.take(PLACEBOS) {
         contestants.extend(control(copy, Role::Placebo, scene));
     }
-    if let Some(first) = contestants.first() {
-        let empty = EmptyLoop::like(first.job.as_ref());
-        contestants.push(Contestant::new("empty loop", Role::Empty, Box::new(empty)));
-    }
-    contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
+    let yardsticks = contestants.first().map(|first| yardsticks(first.job.as_ref()));
+    contestants.extend(yardsticks.into_iter().flatten());
 }
 
 /// A variant as a control; `None` if it cannot run here or is not right about the scene.

@@ -19,7 +19,7 @@ use super::run::Trouble;
 use super::scene::Scene;
 use crate::batch::{Extent, TILE};
 use crate::job::{Block, Job, Tally};
-use crate::measure::{Cache, Chain, Contestant, EmptyLoop, Machine, Order, Role};
+use crate::measure::{Cache, Contestant, Machine, Order, Role, yardsticks};
 use crate::registry::Variant;
 use crate::rows::put_accuracy;
 use crate::table::Row;
@@ -152,9 +152,8 @@ impl Set<'_> {
         rows: &mut [Row],
     ) -> Result<bool, Trouble> {
         let Some(one) = contestants.first() else { return Ok(true) };
-        let empty = EmptyLoop::like(one.job.as_ref());
-        contestants.push(Contestant::new("empty loop", Role::Empty, Box::new(empty)));
-        contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
+        let yardsticks = yardsticks(one.job.as_ref());
+        contestants.extend(yardsticks);
         let protocol = protocol(bench.rounds, self.plan.experiment.seed);
         let report = bench.measure_as(&mut contestants, &protocol)?;
         for (place, figures) in places.iter().zip(&report.figures) {

@@ -13,7 +13,7 @@ use super::plan::Plan;
 use super::run::Trouble;
 use super::scene::Scene;
 use crate::job::Job;
-use crate::measure::{Chain, Contestant, EmptyLoop, Figures, Order, Role, Status};
+use crate::measure::{Contestant, Figures, Order, Role, Status, yardsticks};
 use crate::registry::Variant;
 use crate::table::Row;
 use crate::workload::{Kind, NearestSet, NearestSpec, Triangle};
@@ -181,9 +181,8 @@ fn prepare(
         contestants.push(Contestant::new(store(variant), Role::Subject, job));
     }
     let Some(one) = contestants.first() else { return Ok(()) };
-    let empty = EmptyLoop::like(one.job.as_ref());
-    contestants.push(Contestant::new("empty loop", Role::Empty, Box::new(empty)));
-    contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
+    let yardsticks = yardsticks(one.job.as_ref());
+    contestants.extend(yardsticks);
     let report = bench.measure(&mut contestants, Order::Fixed, seed)?;
     for figures in &report.figures {
         let of = |row: &&mut Row| store_of(row) == figures.id && row.ns_per_test.is_some();

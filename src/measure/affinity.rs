@@ -84,6 +84,16 @@ mod system {
 pub(super) use system::run_on;
 pub use system::{allowed_cpus, anywhere, run_anywhere};
 
+/// The processors that a measuring thread may move between: those that it may run on, or none where
+/// the system does not tell, and where some are slower by design (Linux lists the two kinds of hybrid
+/// processors so).
+pub fn alike_cpus() -> Vec<usize> {
+    if std::path::Path::new("/sys/devices/cpu_atom").exists() {
+        return Vec::new();
+    }
+    allowed_cpus().unwrap_or_default()
+}
+
 /// The numbers as the system writes them, such as `0-3,8`; they ascend.
 pub(super) fn list_of(cpus: &[usize]) -> String {
     let runs = cpus.chunk_by(|a, b| a + 1 == *b).map(|run| match run {

@@ -1,7 +1,16 @@
 //! Who takes part in a round, and as what.
 
+use super::chain::Chain;
+use super::empty::EmptyLoop;
 use super::protocol::ProtocolError;
 use crate::job::Job;
+
+/// A contestant may be in one group with so many others: with the controls they stay within what a
+/// branch predictor holds of a replayed set.
+pub const MOST_SUBJECTS: usize = 12;
+
+/// Copies of the reference in a group; several, since copies differ by where they lie.
+pub const PLACEBOS: usize = 2;
 
 /// What a contestant is there for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -66,6 +75,15 @@ impl Contestant {
     pub fn with_hits(self, hits: u64) -> Self {
         Contestant { expected: Expected::Hits(hits), ..self }
     }
+}
+
+/// What every group has besides kernels: the loop of `like` without a test in it, and the chain of
+/// known cycles.
+pub fn yardsticks(like: &dyn Job) -> [Contestant; 2] {
+    [
+        Contestant::new("empty loop", Role::Empty, Box::new(EmptyLoop::like(like))),
+        Contestant::new("chain", Role::Chain, Box::new(Chain::default())),
+    ]
 }
 
 /// Refuses groups that cannot be measured.

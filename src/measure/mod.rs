@@ -42,11 +42,11 @@ mod steadiness;
 mod trace;
 mod windows;
 
-pub use affinity::{allowed_cpus, anywhere, run_anywhere};
+pub use affinity::{alike_cpus, allowed_cpus, anywhere, run_anywhere};
 pub use build_info::BuildInfo;
 pub use chain::{CYCLES_PER_STEP, Chain};
 pub use clock::{Clock, ScriptedClock, TimerFigures, WallClock, timer_figures};
-pub use contestant::{Contestant, Expected, Role};
+pub use contestant::{Contestant, Expected, MOST_SUBJECTS, PLACEBOS, Role, yardsticks};
 pub use counters::{Counters, Counts, HardwareCounters, NoCounters, ScriptedCounters};
 pub use date::{now_rfc3339, rfc3339};
 pub use dependent::Dependent;

@@ -4,7 +4,7 @@ use super::contest::{Timed, form};
 use super::evidence::Saving;
 use super::situation::Preparing;
 use crate::experiment::{Bench, Cost, Costs, Trouble, crossing};
-use crate::measure::{Chain, Contestant, EmptyLoop, Figures, Order, Role};
+use crate::measure::{Contestant, Figures, Order, Role, yardsticks};
 use crate::registry::Variant;
 use crate::workload::Triangle;
 
@@ -49,9 +49,8 @@ pub fn time(
         }
     }
     let Some(first) = contestants.first() else { return Ok(Stores::default()) };
-    let empty = EmptyLoop::like(first.job.as_ref());
-    contestants.push(Contestant::new("empty loop", Role::Empty, Box::new(empty)));
-    contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
+    let yardsticks = yardsticks(first.job.as_ref());
+    contestants.extend(yardsticks);
     let report = bench.measure(&mut contestants, Order::Fixed, seed)?;
     let of = |figures: &Figures| Some((figures.id.clone(), cost(figures)?));
     Ok(Stores(report.figures.iter().filter_map(of).collect()))

@@ -175,14 +175,14 @@ fn listed<K: Listing, E: Element>(
     all.push(Asked { axes, about: &K::ABOUT, is_segment: false, ask: ask::<K, E> });
 }
 
-pub(super) fn answer<E: Element>(hit: bool, [t, u, v]: [E; 3], code: u8) -> Answer {
+pub(crate) fn answer<E: Element>(hit: bool, [t, u, v]: [E; 3], code: u8) -> Answer {
     let (t, u, v) = (t.to_f64(), u.to_f64(), v.to_f64());
     Answer { triangle: hit.then_some(0), t, u, v, code, ..Answer::default() }
 }
 
 /// A query in the precision `E`: infinite bounds become the largest finite number; without an end
 /// the segment ends at t = 1.
-fn posed<E: Element>(query: &Query) -> (Ray<E>, Corners<E>) {
+pub(crate) fn posed<E: Element>(query: &Query) -> (Ray<E>, Corners<E>) {
     let vector = |v: [f64; 3]| Vec3(v.map(E::from_f64));
     let bound = |t: f64| E::from_f64(t.clamp(-E::MAX.to_f64(), E::MAX.to_f64()));
     let (origin, direction) = (vector(query.origin), vector(query.direction));

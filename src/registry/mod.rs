@@ -3,6 +3,7 @@
 mod arithmetic;
 mod asked;
 mod axes;
+mod busy;
 mod calling;
 mod drives;
 mod edges;
@@ -26,7 +27,9 @@ mod wide;
 
 pub use arithmetic::{Unit, units};
 pub use asked::{Asked, asked, asked_with_peers};
+pub(crate) use asked::{answer, posed};
 pub use axes::{Axes, COLUMNS};
+pub use busy::busy_kernel;
 pub use every::{KernelVisitor, ListingVisitor, visit_kernels, visit_listings};
 #[cfg(feature = "cli")]
 pub use leaves::{LeafForm, leaves};

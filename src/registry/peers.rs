@@ -1,10 +1,11 @@
 //! The tests of other crates: single rays of f32 at the baseline, on pairs.
 
+use std::marker::PhantomData;
 use std::sync::LazyLock;
 
 use glam::Vec3;
 
-use crate::batch::{LoopOver, PairsJob, PeerPairs};
+use crate::batch::{Foreign, ForeignPairs, LoopOver, PairsJob};
 use crate::job::Answer;
 use crate::level::{self, Level, enter};
 use crate::oracle::Query;
@@ -103,6 +104,20 @@ fn variant<P: Peer, const UV: bool>() -> Variant {
     }
 }
 
+/// The test of a peer.
+struct OfPeer<P>(PhantomData<P>);
+
+impl<P: Peer> Foreign for OfPeer<P> {
+    type Number = f32;
+    type Ray = P::Ray;
+    type Triangle = P::Triangle;
+
+    #[inline(always)]
+    fn test<const UV: bool>(ray: &P::Ray, triangle: &P::Triangle) -> Option<[f32; 3]> {
+        P::test::<UV>(ray, triangle)
+    }
+}
+
 fn bind<P: Peer, const UV: bool>() -> Binder {
     fn exit_code<P: Peer, const UV: bool>(ray: &P::Ray, triangle: &P::Triangle) -> u8 {
         if P::test::<UV>(ray, triangle).is_some() { 0 } else { u8::MAX }
@@ -110,7 +125,7 @@ fn bind<P: Peer, const UV: bool>() -> Binder {
     Box::new(|rays, triangles| {
         let pairs = rays.iter().zip(triangles);
         let pairs = pairs.map(|(ray, triangle)| (P::ray(ray), P::triangle(triangle))).collect();
-        let run: LoopOver<(P::Ray, P::Triangle)> = enter::<Base, PeerPairs<P, UV>, 0>;
+        let run: LoopOver<(P::Ray, P::Triangle)> = enter::<Base, ForeignPairs<OfPeer<P>, UV>, 0>;
         Box::new(PairsJob::<f32, _, _>::new(pairs, run, exit_code::<P, UV>))
     })
 }

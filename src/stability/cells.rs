@@ -1,12 +1,12 @@
 //! One setting of a family's knob: every form on the same cases.
 
+use super::asking::found;
 use super::draw::Draw;
 use super::family::{Case, Family};
 use super::forms::Form;
 use super::precision::Precision;
 use super::rows;
 use super::sweep::Setting;
-use crate::accuracy::{Accuracy, Measures};
 use crate::table::Row;
 
 /// Condition numbers of the hits of a setting: what rounding the inputs alone may do.
@@ -16,16 +16,6 @@ pub struct Conditioning {
     pub t_p99: Option<f64>,
     /// 99th percentile of the largest absolute condition number of a weight.
     pub weights_p99: Option<f64>,
-}
-
-/// What a form did at a setting.
-pub struct Found {
-    /// Against the exact answers.
-    pub accuracy: Accuracy,
-    /// Hits that it reported.
-    pub hits: u64,
-    /// Hits among the cases whose input is not finite.
-    pub hits_of_nothing: u64,
 }
 
 /// The rows of one setting: one a form. Forms that flush subnormal numbers are asked in families
@@ -46,7 +36,8 @@ pub fn rows_of(family: &Family, setting: &Setting, forms: &[Form]) -> Vec<Row> {
     let row = |form: &&Form| {
         let mut row = rows::of_setting(family, setting, form);
         rows::put_conditioning(&mut row, conditioning);
-        rows::put_found(&mut row, &ask(form, &cases));
+        let (ask, is_segment) = (form.asked.ask, form.asked.is_segment);
+        rows::put_found(&mut row, &found(ask, is_segment, form.reported(), &cases));
         row.attained_share = Some(share);
         row
     };
@@ -63,21 +54,6 @@ pub fn errors_at(
     forms: &[Form],
 ) -> Vec<Row> {
     rows_of(family, &Setting { precision, knob, seed, count, class: None }, forms)
-}
-
-fn ask(form: &Form, cases: &[Case]) -> Found {
-    let mut measures = Measures::new(form.reported());
-    let (mut hits, mut hits_of_nothing) = (0, 0);
-    for case in cases {
-        let truth = if form.asked.is_segment { case.segment.as_ref() } else { Some(&case.truth) };
-        let Some(truth) = truth else { continue };
-        let answer = (form.asked.ask)(&truth.query);
-        let hit = answer.triangle.is_some();
-        hits += u64::from(hit);
-        hits_of_nothing += u64::from(hit && !truth.query.is_finite());
-        measures.add(truth, &answer);
-    }
-    Found { accuracy: measures.finish(), hits, hits_of_nothing }
 }
 
 fn conditioning(cases: &[Case]) -> Conditioning {

@@ -3,13 +3,11 @@
 use super::family::Family;
 use super::forms::Form;
 use super::leaks::Tally;
-use super::mesh_rays::RayClass;
+use super::limit;
 use super::precision::Precision;
 use super::rows;
+use super::shots::RayClass;
 use crate::table::Row;
-
-/// Decisions deep in the wrong, in a million cases, at which a kernel is said to fail.
-const DEEP_PER_MILLION: f64 = 1000.0;
 
 /// What the row without a kernel is called: the exact answer to inputs that are off by a rounding.
 pub const INPUTS: &str = "(inputs off by a rounding)";
@@ -81,11 +79,9 @@ fn knee(
 }
 
 fn fails(row: &Row, precision: Precision) -> bool {
-    let limit = precision.knee_error();
-    let beyond = |error: Option<f64>| error.is_some_and(|error| error > limit);
     let deep = row.deep_false_hits.unwrap_or(0) + row.deep_false_misses.unwrap_or(0);
-    let rate = deep as f64 / row.cases.unwrap_or(0).max(1) as f64 * 1e6;
-    beyond(row.err_t_p99_rel) || beyond(row.err_b_p99) || rate > DEEP_PER_MILLION
+    let errors = [row.err_t_p99_rel, row.err_b_p99];
+    limit::fails(errors, deep, row.cases.unwrap_or(0), precision)
 }
 
 fn inputs_fail(row: &Row, precision: Precision) -> bool {

@@ -1,20 +1,21 @@
 //! Counts of rays that are lost in a closed mesh, or met twice.
 
+#[cfg(feature = "cli")]
 use crate::table::Row;
 
 /// Of one form on one kind of rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Rays that exactly cross the mesh in one point.
-    rays: u64,
+    pub rays: u64,
     /// Those that no triangle is hit by.
-    leaks: u64,
+    pub leaks: u64,
     /// Those that several triangles are hit by.
-    doubles: u64,
+    pub doubles: u64,
     /// Hits in all.
-    hits: u64,
+    pub hits: u64,
     /// Hits with an output that is not finite.
-    non_finite: u64,
+    pub non_finite: u64,
 }
 
 impl Tally {
@@ -28,6 +29,20 @@ impl Tally {
         self.doubles += u64::from(hits > 1);
     }
 
+    /// The counts of both.
+    pub fn plus(self, other: Tally) -> Tally {
+        Tally {
+            rays: self.rays + other.rays,
+            leaks: self.leaks + other.leaks,
+            doubles: self.doubles + other.doubles,
+            hits: self.hits + other.hits,
+            non_finite: self.non_finite + other.non_finite,
+        }
+    }
+}
+
+#[cfg(feature = "cli")]
+impl Tally {
     /// The counts of rows together.
     pub fn of(rows: &[&Row]) -> Self {
         let sum = |of: fn(&Row) -> Option<u64>| rows.iter().filter_map(|row| of(row)).sum();
@@ -57,11 +72,12 @@ impl Tally {
     }
 }
 
+#[cfg(feature = "cli")]
 fn per_million(count: u64, of: u64) -> Option<f64> {
     (of > 0).then(|| count as f64 / of as f64 * 1e6)
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "cli"))]
 mod tests {
     use super::*;
 

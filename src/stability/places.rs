@@ -2,8 +2,8 @@
 
 use super::family::Family;
 use super::forms::Form;
-use super::mesh_rays::RayClass;
 use super::precision::Precision;
+use super::shots::RayClass;
 use crate::table::Row;
 
 /// A number for each row, which grows in the order of [`Sweep::run`](super::Sweep::run): settings

@@ -1,6 +1,7 @@
 //! Rows of the sweep.
 
-use super::cells::{Conditioning, Found};
+use super::asking::Found;
+use super::cells::Conditioning;
 use super::family::Family;
 use super::forms::Form;
 use super::sweep::Setting;

@@ -2,9 +2,9 @@
 
 use super::family::{Family, Work};
 use super::forms::Form;
-use super::mesh_rays::RayClass;
 use super::places::places;
 use super::precision::Precision;
+use super::shots::RayClass;
 use super::{cells, knee, mesh_rays, metamorphic, spawned};
 use crate::shard::Shard;
 use crate::spread::{Watch, pieces};

@@ -9,6 +9,7 @@ mod special;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "cli")]
 pub(super) use range::near_edge;
 
 use super::family::{Family, MeshKind, Transform, Work};
