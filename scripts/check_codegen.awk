@@ -132,11 +132,12 @@ function finish(    l, i, k, in_loop) {
         if (op[i] == "call") note("calls", i)
         if (op[i] == "call" && (l, i) in member) note("inner calls", i)
         if (op[i] ~ /^j/ && op[i] != "jmp") note((l, i) in member ? "jumps" : "outer", i)
-        if ((l, i) in member) classify(i)
+        # A walk through a hierarchy has several loops, one in the other.
+        if ((l, i) in member || drive == "Through") classify(i)
     }
     if (indirect) note("tables", indirect)
     if (cold) note("panics", cold)
-    if (!l && kernel != "AngleSum") note("lost", 1)
+    if (!l && kernel != "AngleSum" && drive != "Through") note("lost", 1)
     if (copy > 0) keep_placebo()
     if (facts) print_facts(); else judge()
 }
@@ -179,6 +180,7 @@ function judge() {
     rule("panics", !found["panics"], "panics", "a bounds check")
     rule("tables", !found["tables"], "tables", "a jump table")
     if (kernel == "AngleSum") { skip("angle-sum: arccos is a call of libm"); return }
+    if (drive == "Through") { judge_walk(); return }
     # A packet of four registers is cleared and copied by calls, once for all of its triangles.
     if (registers == 4) rule("calls", !found["inner calls"], "inner calls", "calls in the loop over triangles")
     else rule("calls", !found["calls"], "calls", "calls in a loop")
@@ -197,6 +199,15 @@ function judge_packet(    w, limit, key) {
     if (output == "Surface") limit += surface_spills
     if (limit > 0) limit += slack
     rule("spills", found["spills"] <= limit, "spills", "stores to the stack beyond " (limit + 0))
+}
+
+# Boxes and triangles of a group are met on the widest registers. Calls are there, in loops: the stack grows,
+# and what rounding might decide is met in f64, elsewhere.
+function judge_walk(    w) {
+    skip("walks through hierarchies: calls, and what is kept on the stack")
+    rule("width", found[wide] > 0, "", "no arithmetic on " wide)
+    for (w in widths) if (w != wide && w != "xmm")
+        rule("width", !found[w], w, "arithmetic on " w " where lanes are " wide)
 }
 
 function judge_single(    d, p, most) {

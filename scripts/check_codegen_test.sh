@@ -74,6 +74,9 @@ expect jumps "$single" "$good" 'je     1018 <x>' "$good" "$loop" ret
 expect jumps "${single/axes::Full/exit::Once}" "$good" 'je     1018 <x>' "$good" 'je     1028 <x>' "$good" \
     'je     1038 <x>' "$good" "$loop" ret
 expect loop "$single" "$good" ret
+walk=${packet/batch::Nearest/structure::wide::walk::Through}
+expect none "$walk" "$wide" 'call   9000 <grow>' 'jne    1008 <x>' "$loop" ret
+expect width "$walk" 'vmulss xmm0,xmm1,xmm2' 'call   9000 <grow>' "$loop" ret
 flip='vpxord zmm0,zmm0,zmm1'
 fused='vfmadd213ps zmm0,zmm1,zmm2'
 pairs=("$flip" "$fused" "$flip" "$fused" "$flip" "$fused" "$flip" "$fused" "$flip" "$fused")
