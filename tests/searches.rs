@@ -10,7 +10,7 @@ use support::{Memory, plan, run_all, run_until};
 
 const STRUCTURES: &str = "id = 'test'\ntitle = 'A test'\nquestion = 'Does it run?'\nwhy = 'It must.'\n\
     [workload]\nkind = 'structures'\nscenes = ['soup:40', 'soup:160', 'terrain:5']\n\
-    rays = ['primary', 'random']\nwidth = 16\nlist_tests = 20480\nkernels = ['moller-trumbore']\n\
+    rays = ['primary', 'random']\nwidth = 16\nlist_tests = 20480\nbounded_most = 100\nkernels = ['moller-trumbore']\n\
     structures = ['list', 'box', 'grid', 'octree', 'kd-tree', 'surface', 'compressed', 'wide', 'peer-parry']\n\
     [workload.volumes]\ntriangles = [3, 20]\nradii = [1.0, 3.0]\n\
     [workload.counted]\nscenes = ['icosphere:2']\norders = 3\nlines = 4000\n";
@@ -30,7 +30,11 @@ fn structures_find_the_lists_hits_and_tell_what_they_cost() {
     let outcome = run_all(STRUCTURES, 16);
     assert!(outcome.wrong.is_empty(), "{:?}", outcome.wrong);
     let searches = of(&outcome, "search");
-    assert!(searches.len() >= 6 * (7 + 1 + 1));
+    assert!(searches.len() >= 6 * (6 + 1 + 1));
+    // A volume around a list is left out of the larger soup.
+    let boxes: Vec<_> = searches.iter().filter(|row| row.structure == "box").collect();
+    assert_eq!(boxes.len(), 4);
+    assert!(boxes.iter().all(|row| row.triangles <= Some(100)));
     let lists: Vec<&&Row> = searches.iter().filter(|row| row.structure == "list").collect();
     assert_eq!(lists.len(), 6);
     for row in &searches {
@@ -91,8 +95,10 @@ fn volumes_are_timed_alone_and_around_lists() {
     let bounded = of(&outcome, "bounded");
     let alone = of(&outcome, "volume");
     // Of every cell the list, nothing, and four volumes.
-    assert_eq!((bounded.len(), alone.len()), (4 * 6, 4 * 4));
-    for row in bounded.iter().chain(&alone) {
+    let emptied = of(&outcome, "emptied");
+    assert_eq!((bounded.len(), alone.len(), emptied.len()), (4 * 6, 4 * 4, 4 * 4));
+    assert!(emptied.iter().all(|row| row.hits == Some(0)));
+    for row in bounded.iter().chain(&alone).chain(&emptied) {
         assert_eq!(row.status, "ok", "{} {}", row.id, row.reason);
         let is_volume = !["list", "nothing"].contains(&row.structure.as_str());
         assert_eq!(row.passed_share.is_some(), is_volume, "{}", row.id);
@@ -122,7 +128,7 @@ fn growth_is_told_once_a_line() {
     assert_eq!(lines.len(), count);
     // On a clock that counts its readings a block of one window takes as long as of any other.
     let timed = growth.iter().filter(|row| row.status == "ok");
-    assert!(timed.count() >= 4 * 7);
+    assert!(timed.count() >= 4 * 6);
 }
 
 #[test]
@@ -158,13 +164,14 @@ fn pictures_are_made_by_every_kernel_and_without_any() {
         let filled = row.filled_percent.expect("it was made");
         assert_eq!(filled > 0.0, row.variation != "every pixel", "{} {filled}", row.variation);
     }
-    // The same picture by every kernel, and from the answers of one.
+    // The same picture from the answers of the first kernel, to the bit; another may see the other one
+    // of two triangles at their common edge.
     for row in &recorded {
         let same = |other: &&&Row| {
             [&other.structure, &other.scene, &other.variation]
                 == [&row.structure, &row.scene, &row.variation]
         };
-        for picture in pictures.iter().filter(same) {
+        for picture in pictures.iter().filter(same).filter(|row| row.kernel == "moller1") {
             assert_eq!(picture.outputs_hash, row.outputs_hash, "{} {}", row.id, row.variation);
         }
     }

@@ -15,6 +15,7 @@ mod build;
 mod counted;
 mod derived;
 mod estimate;
+mod foretold;
 mod run;
 mod set;
 mod subject;

@@ -1,9 +1,10 @@
 //! Scene by scene: built, checked, measured in groups of searches that are alike in speed.
 
+use std::rc::Rc;
 use std::sync::atomic::Ordering;
 
 use super::set::{Set, opened, rays, scene_name, thinned};
-use super::subject::{Built, Class, Ready, Subject};
+use super::subject::{Built, Class, Subject};
 use super::workload::{RayKind, StructuresWorkload};
 use super::{build, derived, volumes};
 use crate::experiment::bench::Bench;
@@ -11,7 +12,7 @@ use crate::experiment::cells::Measured;
 use crate::experiment::plan::Plan;
 use crate::experiment::rows::{outputs_hash, put_group};
 use crate::experiment::run::Trouble;
-use crate::job::Answer;
+use crate::job::{Answer, Block};
 use crate::measure::{Chain, Contestant, EmptyLoop, Order, Pace, Protocol, Role};
 use crate::rows::put_accuracy;
 use crate::structure::{List, Structure, StructureJob, kind};
@@ -21,8 +22,13 @@ use crate::workload::{Ray, Triangle};
 /// Empty loop and chain.
 pub const CONTROLS: usize = 2;
 
-/// Walks of rays through a structure differ by more than blocks of the usual length do.
+/// Rays differ by more than blocks of the usual length do.
 const BLOCK_NS: u64 = 120_000;
+/// Longest block: of lists of many triangles.
+const LONGEST_NS: u64 = 4_000_000;
+/// Blocks that a pass is cut into, at most: each is visited often enough to be told from the others, so that
+/// times are of whole passes.
+const MOST_BLOCKS: u64 = 6;
 
 /// So many rounds of walks over sets of rays.
 pub fn protocol(rounds: usize, seed: u64) -> Protocol {
@@ -71,7 +77,7 @@ fn of_scene(
     let seed = plan.experiment.seed;
     let mesh = opened(scene)?;
     let triangles = mesh.list();
-    let base: std::rc::Rc<dyn Structure> = standing_in(&triangles).into();
+    let base: Rc<dyn Structure> = standing_in(&triangles).into();
     let mut sets = Vec::new();
     for kind in &workload.rays {
         let rays = rays(&mesh, *kind, workload.width, seed)?;
@@ -79,7 +85,8 @@ fn of_scene(
     }
     let subjects = workload.subjects().unwrap_or_default();
     for class in Class::ALL {
-        let of_class = |one: &&Subject| one.class() == class;
+        let of_class =
+            |one: &&Subject| one.class() == class && workload.includes(one, triangles.len());
         let mut members: Vec<Member<'_>> =
             subjects.iter().filter(of_class).map(Member::of).collect();
         let name = |kind: &RayKind| format!("{scene} {} {class:?}", kind.word());
@@ -136,7 +143,7 @@ struct Group<'a> {
     plan: &'a Plan,
     scene: &'a str,
     kind: RayKind,
-    base: &'a std::rc::Rc<dyn Structure>,
+    base: &'a Rc<dyn Structure>,
     list_count: usize,
 }
 
@@ -214,7 +221,7 @@ impl Group<'_> {
             return None;
         }
         let mut ready = subject.bind(&member.built, set.triangles, &set.rays);
-        put_counts(row, &ready);
+        ready.put(row);
         let answers = ready.job.answers();
         let judgement = set.judge(&answers, !matches!(subject, Subject::Peer(_)));
         put_accuracy(row, &judgement.accuracy);
@@ -242,7 +249,7 @@ impl Group<'_> {
 
     /// The list's answers for some rays, the standing structure's for the others.
     fn wanted(&self, leaf: &crate::registry::LeafForm, set: &Set<'_>) -> Vec<Answer> {
-        let of = |structure: std::rc::Rc<dyn Structure>, rays: &[Ray]| {
+        let of = |structure: Rc<dyn Structure>, rays: &[Ray]| {
             let leaf = (leaf.prepare)(set.triangles);
             crate::job::Job::answers(&mut StructureJob::new(structure, leaf, rays, false))
         };
@@ -252,27 +259,12 @@ impl Group<'_> {
         if count == set.rays.len() {
             return listed;
         }
-        let mut wanted = of(std::rc::Rc::clone(self.base), &set.rays);
+        let mut wanted = of(Rc::clone(self.base), &set.rays);
         for (place, answer) in listed.into_iter().enumerate() {
             wanted[place * set.rays.len() / count] = answer;
         }
         wanted
     }
-}
-
-fn put_counts(row: &mut Row, ready: &Ready) {
-    if let Some([structure, records]) = ready.bytes {
-        row.structure_bytes = Some(structure as u64);
-        row.set_bytes = Some(records as u64);
-    }
-    let Some(counts) = ready.counts else { return };
-    let per_ray = |count: u64| Some(count as f64 / counts.rays.max(1) as f64);
-    row.tests = Some(counts.triangles);
-    row.tests_per_ray = counts.triangles_per_ray();
-    row.nodes_per_ray = per_ray(counts.nodes);
-    row.cells_per_ray = per_ray(counts.cells);
-    row.volumes_per_ray = per_ray(counts.volumes);
-    row.passed_share = counts.share_passed();
 }
 
 /// Times what was checked and fills its rows; whether it came to its end. Ratios refer to the first.
@@ -288,9 +280,22 @@ pub fn time(
     let empty = EmptyLoop::like(first.job.as_ref());
     contestants.push(Contestant::new("empty loop", Role::Empty, Box::new(empty)));
     contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
+    let block_ns = block_ns(&mut contestants, bench);
+    let protocol = &Protocol { block_ns, ..protocol.clone() };
     let report = bench.measure_as(&mut contestants, protocol)?;
     for (place, figures) in places.iter().zip(&report.figures) {
         put_group(&mut rows[*place], figures, &report, "ok");
     }
     Ok(!report.cancelled)
+}
+
+/// A part of the longest pass of a group.
+fn block_ns(contestants: &mut [Contestant], bench: &mut Bench<'_>) -> u64 {
+    let mut longest = 0;
+    for contestant in contestants.iter_mut() {
+        let start = bench.clock.now_ns();
+        std::hint::black_box(contestant.job.run(Block::whole(contestant.job.as_ref())));
+        longest = longest.max(bench.clock.now_ns().saturating_sub(start));
+    }
+    (longest / MOST_BLOCKS).clamp(BLOCK_NS, LONGEST_NS)
 }

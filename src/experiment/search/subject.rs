@@ -67,6 +67,22 @@ impl Ready {
         let (bytes, counts) = (Some(job.bytes()), Some(job.counts()));
         Ready { job: Box::new(job), bytes, counts }
     }
+
+    /// Writes bytes and counts into a row.
+    pub fn put(&self, row: &mut Row) {
+        if let Some([structure, records]) = self.bytes {
+            row.structure_bytes = Some(structure as u64);
+            row.set_bytes = Some(records as u64);
+        }
+        let Some(counts) = self.counts else { return };
+        let per_ray = |count: u64| Some(count as f64 / counts.rays.max(1) as f64);
+        row.tests = Some(counts.triangles);
+        row.tests_per_ray = counts.triangles_per_ray();
+        row.nodes_per_ray = per_ray(counts.nodes);
+        row.cells_per_ray = per_ray(counts.cells);
+        row.volumes_per_ray = per_ray(counts.volumes);
+        row.passed_share = counts.share_passed();
+    }
 }
 
 /// The subjects of a name with these kernels.

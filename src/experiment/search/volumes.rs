@@ -2,6 +2,7 @@
 
 use std::sync::atomic::Ordering;
 
+use super::foretold::{NOTHING, foretell};
 use super::run::{protocol, time};
 use super::set::{opened, scene_name};
 use super::subject::leaves_of;
@@ -17,7 +18,7 @@ use crate::registry::LeafForm;
 use crate::rows::of_axes;
 use crate::scene::mesh::Mesh;
 use crate::scene::rays::beyond;
-use crate::structure::{List, Structure, StructureJob, VOLUMES, kind};
+use crate::structure::{Best, Leaf, List, Structure, StructureJob, VOLUMES, kind};
 use crate::table::Row;
 use crate::workload::{Pcg, Ray, Triangle, hash, normalised, on_sphere};
 
@@ -25,10 +26,8 @@ use crate::workload::{Pcg, Ray, Triangle, hash, normalised, on_sphere};
 const LINES: usize = 1024;
 /// The generator's stream.
 const BALL: u64 = 0x4241_4c4c;
-/// The list of no triangle: what a search costs with nothing in it.
-const NOTHING: &str = "nothing";
-/// The list, nothing, each volume around the list and alone; empty loop and chain.
-const CONTESTANTS: usize = 2 + 2 * VOLUMES.len() + 2;
+/// The list, nothing, each volume around the list, around nothing, and alone; empty loop and chain.
+const CONTESTANTS: usize = 2 + 3 * VOLUMES.len() + 2;
 
 /// Blocks that are timed.
 pub fn blocks(workload: &VolumesWorkload, rounds: usize) -> usize {
@@ -74,6 +73,30 @@ fn lines(mesh: &Mesh, radius: f64, seed: u64) -> Vec<Ray> {
         beyond(origin.as_vec3(), normalised(to - from).as_dvec3(), &bounds)
     };
     (0..LINES).map(|_| line()).collect()
+}
+
+/// Triangles that are never tested: a search with one costs what the volume around it does. Alone, in a loop
+/// of its own, a volume's test begins before the one before has ended, and seems to cost less.
+struct Emptied(Box<dyn Leaf>);
+
+impl Leaf for Emptied {
+    fn is_segment(&self) -> bool {
+        self.0.is_segment()
+    }
+
+    fn triangles(&self) -> usize {
+        self.0.triangles()
+    }
+
+    fn bytes(&self) -> usize {
+        self.0.bytes()
+    }
+
+    fn aim(&mut self, ray: &Ray) {
+        self.0.aim(ray);
+    }
+
+    fn test(&mut self, _: &[u32], _: &mut Best) {}
 }
 
 struct Cell<'a> {
@@ -148,8 +171,13 @@ impl Cell<'_> {
         for volume in VOLUMES {
             let Some(kind) = kind(volume.id) else { continue };
             let bounded = search(volume.id, (kind.build)(triangles));
-            let (share, job) = (bounded.share, (volume.bind)(triangles, rays));
+            let share = bounded.share;
             all.push(bounded);
+            let leaf = Box::new(Emptied((self.leaf.prepare)(triangles)));
+            let job = StructureJob::new((kind.build)(triangles), leaf, rays, false);
+            let (record, structure) = ("emptied", volume.id);
+            all.push(Timed { record, structure, share, job: Box::new(job) });
+            let job = (volume.bind)(triangles, rays);
             all.push(Timed { record: "volume", structure: volume.id, share, job });
         }
         all
@@ -177,110 +205,5 @@ impl Cell<'_> {
             seed: Some(self.plan.experiment.seed),
             ..own
         }
-    }
-}
-
-/// Lower end, middle and upper end of a time.
-type Time = [f64; 3];
-
-fn time_of(row: &Row) -> Option<Time> {
-    Some([row.ns_low?, row.ns_per_test?, row.ns_high?])
-}
-
-/// Writes into the rows of a group what B + p I says, and whether the clock agrees about who pays.
-fn foretell(rows: &mut [Row]) {
-    let of = |rows: &[Row], record: &str, structure: &str| {
-        let mut own = rows.iter().filter(|row| row.record == record && row.structure == structure);
-        own.next().and_then(time_of)
-    };
-    let (list, nothing) = (of(rows, "bounded", "list"), of(rows, "bounded", NOTHING));
-    for volume in VOLUMES {
-        let alone = of(rows, "volume", volume.id);
-        let bounded = rows.iter_mut().filter(|row| row.record == "bounded");
-        for row in bounded.filter(|row| row.structure == volume.id) {
-            let (Some(list), Some(nothing), Some(alone)) = (list, nothing, alone) else { continue };
-            let Some(share) = row.passed_share else { continue };
-            let [low, middle, high] = foretold(list, nothing, alone, share);
-            (row.predicted_low, row.predicted_high) = (Some(low), Some(high));
-            row.predicted_ratio = Some(middle);
-            row.pays_as_predicted =
-                row.ratio_low.zip(row.ratio_high).and_then(|(own_low, own_high)| {
-                    agree([own_low, own_high], [low, high]).map(u64::from)
-                });
-        }
-    }
-}
-
-/// Time with a volume over time without: (N + B + p I) / (N + I), where N is what a search costs with
-/// nothing in it, which both pay. The ends are those of the times that are worst for it, N apart: its ends
-/// hardly move a quotient that has it on both sides.
-fn foretold(list: Time, nothing: Time, alone: Time, share: f64) -> Time {
-    let none = nothing[1];
-    let at = |own: usize, other: usize| {
-        let inside = (list[other] - none).max(0.0);
-        (none + alone[own] + share * inside) / (none + inside)
-    };
-    let middle = at(1, 1);
-    [at(0, 2).min(middle), middle, at(2, 0).max(middle)]
-}
-
-/// Whether two intervals are on the same side of 1; `None` where one of them is on both.
-fn agree(one: [f64; 2], other: [f64; 2]) -> Option<bool> {
-    let pays = |[low, high]: [f64; 2]| match () {
-        () if high < 1.0 => Some(true),
-        () if low > 1.0 => Some(false),
-        () => None,
-    };
-    Some(pays(one)? == pays(other)?)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_foretold_ratio_is_that_of_the_lecture() {
-        // N = 10, B = 5, I = 40, p = 0.25: (10 + 5 + 10) / 50.
-        let time = |ns: f64| [ns - 1.0, ns, ns + 1.0];
-        let [low, middle, high] = foretold(time(50.0), time(10.0), time(5.0), 0.25);
-        assert_eq!(middle, 0.5);
-        assert!(low < middle && middle < high);
-        // All pass: the volume is paid for nothing.
-        assert!(foretold(time(50.0), time(10.0), time(5.0), 1.0)[0] > 1.0);
-    }
-
-    #[test]
-    fn sides_are_told_where_they_are_clear() {
-        assert_eq!(agree([0.5, 0.9], [0.2, 0.99]), Some(true));
-        assert_eq!(agree([1.1, 1.2], [0.2, 0.99]), Some(false));
-        assert_eq!(agree([0.9, 1.2], [0.2, 0.99]), None);
-        assert_eq!(agree([1.1, 1.2], [0.9, 1.3]), None);
-    }
-
-    #[test]
-    fn rows_tell_what_was_foretold_and_whether_it_came() {
-        let row = |record: &str, structure: &str, ns: f64, ratio: f64| Row {
-            record: record.into(),
-            structure: structure.into(),
-            passed_share: Some(0.25),
-            ns_per_test: Some(ns),
-            ns_low: Some(ns),
-            ns_high: Some(ns),
-            ratio_low: Some(ratio),
-            ratio_high: Some(ratio),
-            ..Row::default()
-        };
-        let mut rows = vec![
-            row("bounded", "list", 50.0, 1.0),
-            row("bounded", NOTHING, 10.0, 0.2),
-            row("bounded", "box", 26.0, 0.52),
-            row("volume", "box", 5.0, 0.1),
-            row("bounded", "sphere", 60.0, 1.2),
-            row("volume", "sphere", 5.0, 0.1),
-        ];
-        foretell(&mut rows);
-        assert_eq!((rows[2].predicted_ratio, rows[2].pays_as_predicted), (Some(0.5), Some(1)));
-        assert_eq!((rows[4].predicted_ratio, rows[4].pays_as_predicted), (Some(0.5), Some(0)));
-        assert_eq!((rows[0].predicted_ratio, rows[3].predicted_ratio), (None, None));
     }
 }

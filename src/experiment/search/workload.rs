@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use super::subject::{self, Subject};
+use super::subject::{self, Class, Subject};
 use crate::experiment::workload::{in_range, some};
 use crate::scene::built_in;
 
@@ -21,6 +21,10 @@ pub struct StructuresWorkload {
     /// What tests every triangle gets so few rays that a pass has no more tests than these, but at least 32.
     #[serde(default = "list_tests")]
     pub list_tests: usize,
+    /// Volumes around lists are left out beyond so many triangles: rays that miss a volume and rays that
+    /// do not take too different times then for blocks of a few rays.
+    #[serde(default = "bounded_most")]
+    pub bounded_most: usize,
     /// What stands at the leaves, and in groups on the fast path.
     pub kernels: Vec<String>,
     /// Names of structures; `wide` is the fast path at every level, `peer-...` another crate's hierarchy.
@@ -81,6 +85,10 @@ fn list_tests() -> usize {
     1_000_000
 }
 
+fn bounded_most() -> usize {
+    1000
+}
+
 /// Fewest rays of what tests every triangle.
 pub(super) const LEAST_RAYS: usize = 32;
 /// Neighbouring pixels whose rays follow each other.
@@ -109,6 +117,7 @@ impl StructuresWorkload {
             ));
         }
         in_range("list_tests", self.list_tests, 1)?;
+        in_range("bounded_most", self.bounded_most, 0)?;
         subject::leaves_of(&self.kernels)?;
         self.subjects()?;
         self.volumes.as_ref().map_or(Ok(()), VolumesWorkload::validate)?;
@@ -125,6 +134,12 @@ impl StructuresWorkload {
             all.extend(subject::named(name, &self.kernels)?);
         }
         Ok(all)
+    }
+
+    /// Whether a search is measured on so many triangles.
+    pub(super) fn includes(&self, subject: &Subject, triangles: usize) -> bool {
+        let is_bounded = subject.class() == Class::Linear && subject.name() != "list";
+        !is_bounded || triangles <= self.bounded_most
     }
 
     /// Rays of each kind.
