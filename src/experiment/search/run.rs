@@ -3,7 +3,7 @@
 use std::rc::Rc;
 use std::sync::atomic::Ordering;
 
-use super::set::{Set, opened, rays, scene_name, thinned};
+use super::set::{Set, opened, rays, scene_name, standing_in, thinned};
 use super::subject::{Built, Class, Subject};
 use super::workload::{RayKind, StructuresWorkload};
 use super::{build, derived, volumes};
@@ -15,9 +15,9 @@ use crate::experiment::run::Trouble;
 use crate::job::{Answer, Block};
 use crate::measure::{Chain, Contestant, EmptyLoop, Order, Pace, Protocol, Role};
 use crate::rows::put_accuracy;
-use crate::structure::{List, Structure, StructureJob, kind};
+use crate::structure::{List, Structure, StructureJob};
 use crate::table::Row;
-use crate::workload::{Ray, Triangle};
+use crate::workload::Ray;
 
 /// Empty loop and chain.
 pub const CONTROLS: usize = 2;
@@ -112,14 +112,6 @@ fn of_scene(
         }
     }
     Ok(())
-}
-
-/// The structure that answers where the list takes too long.
-fn standing_in(triangles: &[Triangle]) -> Box<dyn Structure> {
-    match kind("surface") {
-        Some(kind) => (kind.build)(triangles),
-        None => Box::new(List::new(triangles.len() as u32)),
-    }
 }
 
 /// A search of a group, built.

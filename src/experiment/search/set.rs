@@ -10,7 +10,7 @@ use crate::render::Exactly;
 use crate::scene::built_in;
 use crate::scene::mesh::Mesh;
 use crate::scene::rays::{Asked, Plan, Rays};
-use crate::structure::{Excuse, Hit, Structure, excuse};
+use crate::structure::{Excuse, Hit, List, Structure, excuse, kind};
 use crate::workload::{Pcg, Ray, Triangle, WorkloadError, hash};
 
 /// A scene's triangles and rays of one kind.
@@ -50,6 +50,14 @@ pub fn opened(scene: &str) -> Result<Mesh, WorkloadError> {
 /// A scene without its size.
 pub fn scene_name(scene: &str) -> &str {
     scene.split_once(':').map_or(scene, |(name, _)| name)
+}
+
+/// The structure that answers where the list takes too long.
+pub fn standing_in(triangles: &[Triangle]) -> Box<dyn Structure> {
+    match kind("surface") {
+        Some(kind) => (kind.build)(triangles),
+        None => Box::new(List::new(triangles.len() as u32)),
+    }
 }
 
 /// Rays of a kind for a scene, as many as pixels.
@@ -161,7 +169,6 @@ fn hit(answer: &Answer) -> Option<Hit> {
 mod tests {
     use super::*;
     use crate::scene::built_in::named;
-    use crate::structure::List;
 
     fn mesh() -> Mesh {
         named("soup:40").and_then(Result::ok).expect("a built-in scene")
