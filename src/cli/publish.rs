@@ -9,9 +9,7 @@ use super::rounds::{draw_rounds, rounds_of};
 use crate::chart::{ChartError, Published, draw, placeholder};
 use crate::claims::{Ledger, judge, to_csv};
 use crate::report::{Report, ReportError, figure_csv};
-use crate::results::{
-    Chapter, Drawing, LoadError, ROWS, Results, Source, TABLE, derived, drawings, load,
-};
+use crate::results::{Chapter, LoadError, ROWS, Results, Source, TABLE, derived, drawings, load};
 use crate::table::{Row, write_atomically, write_csv};
 
 /// What folders hold, with what follows from it: the mixture of return codes, behind their shares.
@@ -66,18 +64,28 @@ pub fn draw_all(results: &Results, out: &Path) -> Result<(), Failure> {
     draw_rounds(&results.rounds, out)
 }
 
-/// Draws the figures of an experiment, each with its numbers beside it; gives how many.
+/// Draws the figures of an experiment, each with its numbers beside it; gives how many. Where figure and
+/// rows do not go together the picture says why there is none, and numbers there are none.
 ///
 /// # Errors
 /// As [`draw_all`].
 pub fn draw_chapter(chapter: &Chapter, sources: &[Source], to: &Path) -> Result<usize, Failure> {
-    let published = Published::embedded().map_err(|error| Failure::Runtime(error.into()))?;
+    let published = Published::embedded().map_err(of_chart)?;
     let drawings = drawings(chapter, sources);
     for drawing in &drawings {
-        let svg = drawn(drawing, chapter, &published)?;
-        write_atomically(&to.join(format!("{}.svg", drawing.file)), svg.as_bytes())?;
-        let numbers = figure_csv(&drawing.figure, drawing.rows)?;
-        write_atomically(&to.join(format!("{}.csv", drawing.file)), &numbers)?;
+        let file = |ending: &str| to.join(format!("{}.{ending}", drawing.file));
+        match draw(&drawing.figure, drawing.rows, &published) {
+            Err(error @ (ChartError::Ambiguous { .. } | ChartError::Wrong { .. })) => {
+                eprintln!("note: {}: {error}", chapter.about.id);
+                let svg = placeholder(&drawing.figure, &error.to_string());
+                write_atomically(&file("svg"), svg.map_err(of_chart)?.as_bytes())?;
+            }
+            svg => {
+                write_atomically(&file("svg"), svg.map_err(of_chart)?.as_bytes())?;
+                let numbers = figure_csv(&drawing.figure, drawing.rows)?;
+                write_atomically(&file("csv"), &numbers)?;
+            }
+        }
     }
     Ok(drawings.len())
 }
@@ -88,18 +96,6 @@ impl From<ReportError> for Failure {
     }
 }
 
-/// The picture; one that says why there is none, where figure and rows do not go together.
-fn drawn(
-    drawing: &Drawing<'_>,
-    chapter: &Chapter,
-    published: &Published,
-) -> Result<String, Failure> {
-    let svg = match draw(&drawing.figure, drawing.rows, published) {
-        Err(error @ (ChartError::Ambiguous { .. } | ChartError::Wrong { .. })) => {
-            eprintln!("note: {}: {error}", chapter.about.id);
-            placeholder(&drawing.figure, &error.to_string())
-        }
-        svg => svg,
-    };
-    svg.map_err(|error| Failure::Runtime(error.into()))
+fn of_chart(error: ChartError) -> Failure {
+    Failure::Runtime(error.into())
 }

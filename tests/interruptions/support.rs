@@ -10,7 +10,8 @@ use ray_test::table::{Row, read_csv, read_journal, read_json, read_rounds};
 /// The experiments: id, variants, workload. Of each kind that has pieces of its own, one.
 const EXPERIMENTS: [(&str, &str, &str); 4] = [
     (
-        // Two groups of listings, and one that cannot be asked.
+        // Two groups of listings, and one that cannot be asked; and a figure that has two rows in one
+        // place, which is no reason to lose what was measured.
         "pairs",
         "'^(moller[0-3]|badouel|chirkov-line|wald)/f32/single/sse2/early/[a-z]+/plain/t(uv)?$', \
          '^keidy/f32/single/sse2/early/last/plain/tuv/query=point$'",
