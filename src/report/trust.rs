@@ -172,12 +172,17 @@ fn incomplete(results: &Results) -> Option<Check> {
 pub(super) fn sentence(results: &Results) -> String {
     let open = results.chapters.iter().filter(|chapter| !chapter.complete).count();
     let floors = results.rows().filter_map(|row| row.noise_floor).collect();
-    let floor = middle_and_worst(floors).map_or("Nothing was timed.".to_owned(), |(middle, _)| {
-        format!(
+    let is_timed = results.rows().any(|row| row.ns_per_test.is_some());
+    let floor = match middle_and_worst(floors) {
+        Some((middle, _)) => format!(
             "Half of the times are of groups in which differences from {} on can be told.",
             percent(middle)
-        )
-    });
+        ),
+        None if is_timed => "No copies of a kernel were timed, so nothing says which differences \
+                             can be told."
+            .to_owned(),
+        None => "Nothing was timed.".to_owned(),
+    };
     let wrong = match wrong(results) {
         none if none.is_empty() => {
             "No kernel gave a wrong answer where it claims a right one.".to_owned()
