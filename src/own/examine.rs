@@ -84,6 +84,13 @@ struct Met {
     leaks: Leaks,
 }
 
+impl Met {
+    fn of_rays(setting: usize, entrant: usize, leaks: Leaks) -> Self {
+        let Leaks { rays: cases, hits, non_finite: not_finite, .. } = leaks;
+        Met { setting, entrant, fails: false, deep: 0, not_finite, cases, hits, leaks }
+    }
+}
+
 /// Examines entrants of one or both precisions on the same cases, on all cores: `cases` a setting (as
 /// many rays a mesh), ten times as many random pairs, all drawn from `seed`. 100 take about a second,
 /// 1000 are what `ray_test stability --depth quick` takes.
@@ -158,16 +165,7 @@ fn at(
 ) -> Vec<Met> {
     let (knob, precision) = (setting.knob, setting.precision);
     let asked = entrants.iter().enumerate().filter(|(_, one)| one.precision == precision);
-    let met = |entrant: usize, leaks: Leaks| Met {
-        setting: place,
-        entrant,
-        fails: false,
-        deep: 0,
-        not_finite: leaks.non_finite,
-        cases: leaks.rays,
-        hits: leaks.hits,
-        leaks,
-    };
+    let met = |entrant: usize, leaks: Leaks| Met::of_rays(place, entrant, leaks);
     if let (Work::Mesh(kind), Some(class)) = (&family.work, setting.class) {
         let purpose = format!("{} {}", family.id, class.word());
         let draw = Draw::new(seed, &purpose, knob, precision);
