@@ -77,6 +77,8 @@ expect loop "$single" "$good" ret
 walk=${packet/batch::Nearest/structure::wide::walk::Through}
 expect none "$walk" "$wide" 'call   9000 <grow>' 'jne    1008 <x>' "$loop" ret
 expect width "$walk" 'vmulss xmm0,xmm1,xmm2' 'call   9000 <grow>' "$loop" ret
+# What other crates' tests do is no matter.
+expect none "${single/batch::Nearest/batch::foreign::ForeignPairs}" 'call   9000 <theirs>' "$loop" ret
 flip='vpxord zmm0,zmm0,zmm1'
 fused='vfmadd213ps zmm0,zmm1,zmm2'
 pairs=("$flip" "$fused" "$flip" "$fused" "$flip" "$fused" "$flip" "$fused" "$flip" "$fused")
