@@ -37,7 +37,7 @@ pub fn wide_forms() -> Vec<WideForm> {
     all
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn kernel<K: Offers>(all: &mut Vec<WideForm>) {
     use crate::level::{Avx2, Avx512, Sse2};
     use crate::policy::{Fused, Plain};

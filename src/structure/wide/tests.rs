@@ -1,6 +1,6 @@
 //! The fast path against the list, by the same tests: in `plain`, lanes compute what scalars do.
 
-#![cfg(target_arch = "x86_64")]
+#![cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 
 use fearless_simd::{f32x4, f32x8};
 
