@@ -7,10 +7,11 @@ use crate::level::{self, Level, On, enter};
 use crate::number::{Element, Real};
 use crate::policy::{
     Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, Full, Fused, Hit, Inside,
-    Last, Leading, Nearer, Output, Plain, Policy, Products, Ray, Rounding, SignBits, SignBitsSafe,
+    Last, Leading, Nearer, Output, Plain, Policy, Products, Rounding, SignBits, SignBitsSafe,
     Surface, T, Tests, Tuv, TwoSided,
 };
 
+use super::exit_code::exit_code;
 use super::{
     Axes, KernelVisitor, Offers, Other, Variant, bind_nearest, bind_pairs, bind_tiles, edges,
     preparing, visit_kernels,
@@ -272,23 +273,6 @@ fn add<K: Offers, E: Element>(
         lanes: shape.rays,
         work,
     });
-}
-
-/// The exit of one test, in the kernel's own order.
-fn exit_code<K: Offers, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
-    fn exit<K: Offers, P: Policy, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
-        let (aim, met) = (K::aim::<P, E>(ray), K::meet::<P, E>((), record));
-        K::test::<P, E>(ray, &aim, &met).map_or_else(|miss| miss.0, |_| 0)
-    }
-    if K::LAST {
-        exit::<K, Form<Early, Last, Plain, Tuv, TwoSided, Compare, K::Native, Between>, E>(
-            ray, record,
-        )
-    } else {
-        exit::<K, Form<Early, First, Plain, Tuv, TwoSided, Compare, K::Native, Between>, E>(
-            ray, record,
-        )
-    }
 }
 
 /// Three copies of the reference kernel.

@@ -8,6 +8,7 @@ mod calling;
 mod drives;
 mod edges;
 mod every;
+mod exit_code;
 mod forms;
 #[cfg(feature = "cli")]
 mod leaves;

@@ -3,10 +3,9 @@
 use super::frame::{Frame, Manner, frame};
 use super::replay::{Recorder, Recording, Replay};
 use super::stage::Stage;
-use super::tracer::Tracer;
+use super::tracer::{Searcher, Tracer};
 use crate::job::{Answer, Block, Job, Tally};
-use crate::structure::{Hit, Leaf, Search, Structure};
-use crate::workload::Ray;
+use crate::structure::{Leaf, Search, Structure};
 use std::rc::Rc;
 
 /// Pictures of a stage by one kernel in a structure. An item is a picture, and so is a test.
@@ -24,26 +23,6 @@ pub struct ReplayJob {
     manner: Manner,
 }
 
-/// A search that is lent for a picture.
-struct Lent<'a> {
-    structure: &'a dyn Structure,
-    search: &'a mut Search,
-}
-
-impl Tracer for Lent<'_> {
-    fn nearest(&mut self, ray: &Ray) -> Option<Hit> {
-        self.search.nearest(self.structure, ray)
-    }
-
-    fn any(&mut self, ray: &Ray) -> bool {
-        self.search.any(self.structure, ray)
-    }
-
-    fn triangles_tested(&self) -> u64 {
-        self.search.counts().triangles
-    }
-}
-
 impl FrameJob {
     /// `structure` holds the stage's triangles, as the leaf does.
     pub fn new(
@@ -57,7 +36,7 @@ impl FrameJob {
 
     /// A picture, by a tracer that is given the kernel's.
     pub fn with(&mut self, made: impl FnOnce(&Stage, &mut dyn Tracer, Manner) -> Frame) -> Frame {
-        let mut lent = Lent { structure: self.structure.as_ref(), search: &mut self.search };
+        let mut lent = Searcher::lent(self.structure.as_ref(), &mut self.search);
         made(&self.stage, &mut lent, self.manner)
     }
 

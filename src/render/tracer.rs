@@ -2,6 +2,7 @@
 
 use crate::structure::{Hit, Leaf, Search, Structure};
 use crate::workload::Ray;
+use std::borrow::BorrowMut;
 
 /// What finds hits: a kernel with a structure around its triangles, the exact answer, or a recording.
 /// A picture is made with any of them, by the same code.
@@ -17,10 +18,10 @@ pub trait Tracer {
     fn triangles_tested(&self) -> u64;
 }
 
-/// The triangles of a kernel in a structure.
-pub struct Searcher<'a> {
+/// The triangles of a kernel in a structure, with a search of its own or one that is lent.
+pub struct Searcher<'a, S = Search> {
     structure: &'a dyn Structure,
-    search: Search,
+    search: S,
 }
 
 impl<'a> Searcher<'a> {
@@ -30,16 +31,23 @@ impl<'a> Searcher<'a> {
     }
 }
 
-impl Tracer for Searcher<'_> {
+impl<'a> Searcher<'a, &'a mut Search> {
+    /// The same of a search that goes on counting afterwards.
+    pub(super) fn lent(structure: &'a dyn Structure, search: &'a mut Search) -> Self {
+        Searcher { structure, search }
+    }
+}
+
+impl<S: BorrowMut<Search>> Tracer for Searcher<'_, S> {
     fn nearest(&mut self, ray: &Ray) -> Option<Hit> {
-        self.search.nearest(self.structure, ray)
+        self.search.borrow_mut().nearest(self.structure, ray)
     }
 
     fn any(&mut self, ray: &Ray) -> bool {
-        self.search.any(self.structure, ray)
+        self.search.borrow_mut().any(self.structure, ray)
     }
 
     fn triangles_tested(&self) -> u64 {
-        self.search.counts().triangles
+        self.search.borrow().counts().triangles
     }
 }
