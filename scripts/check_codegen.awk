@@ -12,18 +12,18 @@ END { finish(); if (!facts) { placebos(); summary() } }
 # Keeps a function if it is a batch; its axes are read from its demangled name.
 function begin(line,    name, rest) {
     inside = 0
-    if (line !~ /level::enter(::)?</) return
+    if (line !~ /level::Level>::enter(::)?</) return
     name = line
-    sub(/^[0-9a-f]+ </, "", name)
+    sub(/^[0-9a-f]+ </, "", name); gsub(/\[[0-9a-f]+\]/, "", name)
     vectorized = name ~ /vectorize_/
-    sub(/^.*level::enter(::)?</, "", name)
-    sub(/>::\{closure#0\}, .*$/, "", name); sub(/>>:$/, "", name)
-    gsub(/\[[0-9a-f]+\]/, "", name); gsub(/[a-z_0-9]+::/, "", name)
-    split(name, part, /, /)
-    level = part[1]
+    # Of `<module::Avx2 as module::Level>::enter::<Pairs<...>, 0>` first `Avx2`, then what is entered.
+    level = name; sub(/ as [^ ]*level::Level>::enter(::)?<.*/, "", level)
+    sub(/^.*</, "", level); sub(/^.*::/, "", level)
+    rest = name; sub(/^.*level::Level>::enter(::)?</, "", rest)
+    sub(/>::\{closure#0\}, .*$/, "", rest); sub(/>>:$/, "", rest)
+    gsub(/[a-z_0-9]+::/, "", rest)
     # The shell of a level above the baseline holds the code; what enters it is a few instructions.
     if (!vectorized && level ~ /^(Sse4_?2|Avx2|Avx512)$/) return
-    rest = substr(name, length(level) + 3)
     drive = rest; sub(/<.*/, "", drive)
     # What other crates write is theirs.
     if (drive == "ForeignPairs") { skip("tests that are not ours"); return }

@@ -3,11 +3,11 @@
 form='ray_test::policy::Form<ray_test::policy::axes::Full, ray_test::policy::scale::First, ray_test::policy::axes::Plain, ray_test::policy::axes::Tuv>'
 kernel='ray_test::kernels::wald::Wald'
 lanes='ray_test::number::Lanes<fearless_simd::Avx512, fearless_simd::f32x16<fearless_simd::Avx512>>'
-packet="<<fearless_simd::Avx512 as fearless_simd::Simd>::vectorize::vectorize_avx512::<ray_test::level::enter<ray_test::level::Avx512, ray_test::batch::Nearest<$kernel, $form, $lanes>, 0: usize>::{closure#0}, ray_test::job::Tally>>:"
+packet="<<fearless_simd::Avx512 as fearless_simd::Simd>::vectorize::vectorize_avx512::<<ray_test::level::avx512::Avx512 as ray_test::level::Level>::enter<ray_test::batch::Nearest<$kernel, $form, $lanes>, 0: usize>::{closure#0}, ray_test::job::Tally>>:"
 # Six fused and six flips in turn, as 0x373737373737.
-stream="<<fearless_simd::Avx512 as fearless_simd::Simd>::vectorize::vectorize_avx512::<ray_test::level::enter<ray_test::level::Avx512, ray_test::batch::stream::Stream<$lanes, 60710289094455: u64>, 0: usize>::{closure#0}, u64>>:"
-single="<ray_test::level::enter::<ray_test::level::Sse2, ray_test::batch::Nearest<$kernel, $form, f32>, 0>>:"
-placebo="<ray_test::level::enter::<ray_test::level::Sse2, ray_test::batch::DRIVE<$kernel, $form, f32>, COPY>>:"
+stream="<<fearless_simd::Avx512 as fearless_simd::Simd>::vectorize::vectorize_avx512::<<ray_test::level::avx512::Avx512 as ray_test::level::Level>::enter<ray_test::batch::stream::Stream<$lanes, 60710289094455: u64>, 0: usize>::{closure#0}, u64>>:"
+single="<<ray_test::level::sse2::Sse2 as ray_test::level::Level>::enter::<ray_test::batch::Nearest<$kernel, $form, f32>, 0>>:"
+placebo="<<ray_test::level::sse2::Sse2 as ray_test::level::Level>::enter::<ray_test::batch::DRIVE<$kernel, $form, f32>, COPY>>:"
 
 # code NAME INSTRUCTION...: a function as objdump prints it, eight bytes an instruction.
 code() {

@@ -14,24 +14,50 @@ pub trait Level: Copy + 'static {
     type Token: Simd;
     /// The proof, on a processor that has it.
     fn token() -> Option<Self::Token>;
+
+    /// Runs a batch inside the level. `COPY` tells placebos apart: the same source with another
+    /// constant, so that the copies are not merged into one function. A method, not a function: the
+    /// compiler puts methods of a type where the type is, and so the levels into pieces that it
+    /// compiles side by side.
+    ///
+    /// # Panics
+    /// If the processor does not have the level; callers ask [`available`] first.
+    fn enter<B: Batch<Self>, const COPY: usize>(data: B::Data<'_>) -> B::Yield {
+        let Some(token) = Self::token() else { panic!("this processor has no {}", Self::NAME) };
+        token.vectorize(
+            #[inline(always)]
+            || {
+                if COPY > 0 {
+                    black_box(COPY);
+                }
+                B::run(token, data)
+            },
+        )
+    }
 }
 
 macro_rules! level {
-    ($($(#[$cfg:meta])* $type:ident $name:literal $token:ident $detect:ident $doc:literal;)*) => {
+    ($($(#[$cfg:meta])* $module:ident $type:ident $name:literal $token:ident $detect:ident $doc:literal;)*) => {
         $(
             $(#[$cfg])*
-            #[doc = $doc]
-            #[derive(Clone, Copy)]
-            pub struct $type;
+            mod $module {
+                use super::{Detected, Level};
 
-            $(#[$cfg])*
-            impl Level for $type {
-                const NAME: &'static str = $name;
-                type Token = fearless_simd::$token;
-                fn token() -> Option<Self::Token> {
-                    Detected::new().$detect()
+                #[doc = $doc]
+                #[derive(Clone, Copy)]
+                pub struct $type;
+
+                impl Level for $type {
+                    const NAME: &'static str = $name;
+                    type Token = fearless_simd::$token;
+                    fn token() -> Option<Self::Token> {
+                        Detected::new().$detect()
+                    }
                 }
             }
+
+            $(#[$cfg])*
+            pub use $module::$type;
         )*
 
         /// Every level of this processor's architecture, lowest first, and whether it has it.
@@ -46,15 +72,15 @@ macro_rules! level {
 
 level! {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    Sse2 "sse2" Sse2 as_sse2 "The baseline of x86-64 and of Rust on x86: four f32 or two f64 to a register.";
+    sse2 Sse2 "sse2" Sse2 as_sse2 "The baseline of x86-64 and of Rust on x86: four f32 or two f64 to a register.";
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    Sse42 "sse4.2" Sse4_2 as_sse4_2 "SSE4.2: the same registers, more instructions.";
+    sse42 Sse42 "sse4.2" Sse4_2 as_sse4_2 "SSE4.2: the same registers, more instructions.";
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    Avx2 "avx2" Avx2 as_avx2 "AVX2 with FMA: eight f32 or four f64 to a register.";
+    avx2 Avx2 "avx2" Avx2 as_avx2 "AVX2 with FMA: eight f32 or four f64 to a register.";
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    Avx512 "avx512" Avx512 as_avx512 "AVX-512 as of Ice Lake: sixteen f32 or eight f64 to a register.";
+    avx512 Avx512 "avx512" Avx512 as_avx512 "AVX-512 as of Ice Lake: sixteen f32 or eight f64 to a register.";
     #[cfg(target_arch = "aarch64")]
-    Neon "neon" Neon as_neon "The baseline of AArch64: four f32 or two f64 to a register.";
+    neon Neon "neon" Neon as_neon "The baseline of AArch64: four f32 or two f64 to a register.";
 }
 
 /// Whether this processor has the level.
@@ -103,22 +129,4 @@ pub trait Batch<L: Level> {
     type Yield;
     /// The loop. Everything in it is inlined, or it would not be compiled for the level.
     fn run(token: L::Token, data: Self::Data<'_>) -> Self::Yield;
-}
-
-/// Runs a batch inside its level. `COPY` tells placebos apart: the same source with another
-/// constant, so that the copies are not merged into one function.
-///
-/// # Panics
-/// If the processor does not have the level; callers ask [`available`] first.
-pub fn enter<L: Level, B: Batch<L>, const COPY: usize>(data: B::Data<'_>) -> B::Yield {
-    let Some(token) = L::token() else { panic!("this processor has no {}", L::NAME) };
-    token.vectorize(
-        #[inline(always)]
-        || {
-            if COPY > 0 {
-                black_box(COPY);
-            }
-            B::run(token, data)
-        },
-    )
 }

@@ -3,7 +3,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use ray_test::experiment::{Bench, KeepNothing};
+use ray_test::experiment::{Bench, KeepNothing, Patience};
 use ray_test::measure::{Clock, NoCounters, NoRuler, Remember, Undisturbed};
 use ray_test::plan::{Asking, Found, Outcome, PIECES, Task, Use, Wanted};
 use ray_test::scene::built_in::named;
@@ -107,7 +107,7 @@ fn outcome(model: &str, usage: Option<Use>, price: Price, cancelled: bool) -> Ou
         rounds,
         calls: false,
         guards: false,
-        patience: 0,
+        patience: &mut Patience::NONE.clone(),
         clock: &mut PricedClock::new(price),
         disturbance: &mut Undisturbed,
         counters: &mut NoCounters,

@@ -10,7 +10,7 @@ use std::marker::PhantomData;
 use super::kind::PLACES;
 use super::stream::Stream;
 use crate::job::{Answer, Block, Job, Tally};
-use crate::level::{Batch, Level, On, enter};
+use crate::level::{Batch, Level, On};
 use crate::number::{Element, Real, Toggle};
 
 /// Independent sums.
@@ -57,13 +57,13 @@ impl ArithmeticJob {
     /// The loop of a level, over a number that it has natively.
     pub fn new<L: Level, R: Real + On<L>>() -> Self {
         let operations = R::LANES as u64 * OPERATIONS;
-        ArithmeticJob { operations, run: enter::<L, Arithmetic<R>, 0> }
+        ArithmeticJob { operations, run: L::enter::<Arithmetic<R>, 0> }
     }
 
     /// The stream of a mix of operations; an item is one walk through its loop.
     pub fn stream<L: Level, R: Toggle + On<L>, const MIX: u64>() -> Self {
         let operations = (R::LANES * PLACES) as u64;
-        ArithmeticJob { operations, run: enter::<L, Stream<R, MIX>, 0> }
+        ArithmeticJob { operations, run: L::enter::<Stream<R, MIX>, 0> }
     }
 }
 

@@ -160,7 +160,8 @@ fn measure(
     let cancel = interrupt::flag();
     let bar = progress::bar(plans.iter().map(|plan| plan.blocks(profile)).sum());
     let mut wrong: Vec<String> = Vec::new();
-    instruments.share_patience(plans.len());
+    let seconds: f64 = plans.iter().map(|plan| plan.seconds(profile)).sum();
+    instruments.begin_run(profile.rounds());
     for (plan, before) in plans.iter().zip(before) {
         let id = plan.experiment.id.clone();
         if let Before::Finished(before) = before {
@@ -176,6 +177,7 @@ fn measure(
         let start = Instant::now();
         let mut keeper = folder.begin(plan, before)?;
         let mut progress = |blocks: usize| bar.inc(blocks as u64);
+        instruments.grant(plan.seconds(profile) / seconds.max(f64::MIN_POSITIVE), profile.rounds());
         let bench = &mut instruments.bench(profile.rounds(), &mut progress, cancel, &mut keeper);
         let outcome = run_plan(plan, bench)?;
         folder.save(plan, &outcome)?;

@@ -23,6 +23,10 @@ impl Estimate {
     }
 }
 
+/// How much longer measuring takes than its blocks: looks at the core, new orders, calibration. As
+/// it was on a quiet machine.
+const BESIDE_BLOCKS: f64 = 1.4;
+
 /// Blocks take their time by design; drawing pairs, the exact answers and the check of each
 /// variant were measured at about these rates, and a figure takes a few milliseconds. A shard times
 /// and draws nothing.
@@ -31,7 +35,7 @@ pub fn estimate(plan: &Plan, profile: Profile, shard: Option<Shard>) -> Estimate
         let clock_free = errors_of(plan) * shard.share();
         return Estimate { clock_free, ..Estimate::default() };
     }
-    let timing = plan.seconds(profile);
+    let timing = BESIDE_BLOCKS * plan.seconds(profile);
     let checked = (plan.cells().len() * plan.variants.len()) as f64;
     let clock_free = match &plan.experiment.workload {
         Workload::Codes(codes) => 0.4e-6 * (codes.pairs * plan.variants.len()) as f64,

@@ -1,7 +1,7 @@
 //! What measuring needs of this machine, set up once per run.
 
 use super::failure::Failure;
-use crate::experiment::{Bench, Distraction, Keep};
+use crate::experiment::{Bench, Distraction, Keep, Patience};
 use crate::level::levels;
 use crate::measure::{
     Counters, Environment, HardwareCounters, InvoluntarySwitches, NeighbourRuler, NoCounters,
@@ -10,6 +10,7 @@ use crate::measure::{
 use crate::registry::busy_kernel;
 use std::ffi::OsStr;
 use std::sync::atomic::AtomicBool;
+use std::time::Duration;
 
 /// Clock, counters and the rest, on the processor that was chosen.
 pub struct Instruments {
@@ -18,9 +19,9 @@ pub struct Instruments {
     counters: Box<dyn Counters>,
     forget: Distraction,
     ruler: Box<dyn Ruler>,
-    /// What was asked for; else it is shared by all experiments of a run.
-    asked_patience: Option<u32>,
-    patience: u32,
+    /// Groups to be measured again, if the environment tells.
+    asked: Option<u32>,
+    patience: Patience,
 }
 
 impl Instruments {
@@ -37,7 +38,7 @@ impl Instruments {
                 "--pin: processor {cpu} is not allowed; allowed: auto, off, or one of {allowed:?}"
             )));
         }
-        let asked_patience = patience(std::env::var_os(VARIABLE).as_deref())?;
+        let asked = patience(std::env::var_os(VARIABLE).as_deref())?;
         let mut clock = WallClock::new();
         // Before the pinning, which would hide the other processors.
         let mut environment = Environment::capture(&mut clock);
@@ -70,17 +71,25 @@ impl Instruments {
                 counters,
                 forget,
                 ruler,
-                asked_patience,
-                patience: PATIENCE,
+                asked,
+                patience: asked.map_or(Patience::groups(PATIENCE), of_asked),
             },
             environment,
         ))
     }
 
-    /// Shares the patience of a run among its experiments: many of them wait as long as a few, and each
-    /// of them once.
-    pub fn share_patience(&mut self, experiments: usize) {
-        self.patience = (RUN_PATIENCE / experiments.max(1) as u32).clamp(1, PATIENCE);
+    /// The patience of a run of so many rounds; its time is granted experiment by experiment.
+    pub fn begin_run(&mut self, rounds: usize) {
+        let times = (rounds / 64).max(1) as u32;
+        let of_run = Patience { groups: RUN_PATIENCE * times, spare: Some(Duration::ZERO) };
+        self.patience = self.asked.map_or(of_run, |groups| of_asked(groups.saturating_mul(times)));
+    }
+
+    /// Time for neighbours in an experiment that is this share of a run of so many rounds.
+    pub fn grant(&mut self, share: f64, rounds: usize) {
+        if self.asked.is_none() {
+            self.patience.grant((RUN_SPARE * (rounds / 64).max(1) as u32).mul_f64(share));
+        }
     }
 
     /// A bench for groups of so many rounds, whose rows go to `keep`.
@@ -95,7 +104,7 @@ impl Instruments {
             rounds,
             guards: true,
             calls: true,
-            patience: self.asked_patience.unwrap_or(self.patience) * (rounds / 64).max(1) as u32,
+            patience: &mut self.patience,
             clock: &mut self.clock,
             disturbance: &mut self.disturbance,
             counters: self.counters.as_mut(),
@@ -110,13 +119,20 @@ impl Instruments {
 
 /// Environment variable that sets another patience.
 const VARIABLE: &str = "RAY_TEST_PATIENCE";
-/// Groups of one experiment that are measured again beside a neighbour, for every 64 rounds: some
-/// seconds at most of a quick run.
+/// Groups that a command other than a run measures again beside a neighbour: some seconds.
 const PATIENCE: u32 = 6;
-/// The same of all experiments of a run: 20 s of a quick one.
+/// The same of all experiments of a run, for every 64 rounds.
 const RUN_PATIENCE: u32 = 36;
+/// Time for them and for single blocks, for every 64 rounds of a run: a tenth of what a quick one
+/// takes, so that it ends within two minutes beside a neighbour as well.
+const RUN_SPARE: Duration = Duration::from_secs(10);
 /// More would be hours of waiting.
 const MOST_PATIENCE: u32 = 1000;
+
+/// With no groups to be measured again, nothing is: nobody looks at the times.
+fn of_asked(groups: u32) -> Patience {
+    if groups == 0 { Patience::NONE } else { Patience::groups(groups) }
+}
 
 /// The patience that the environment asks for; `None` if it does not.
 fn patience(asked: Option<&OsStr>) -> Result<Option<u32>, Failure> {

@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use super::keep::Keep;
+use super::patience::Patience;
 use crate::measure::{
     Clock, Contestant, Counters, Disturbance, Forget, GroupReport, Order, Progress, Protocol,
     ProtocolError, Ruler, Surroundings, measure_group,
@@ -24,9 +25,8 @@ pub struct Bench<'a> {
     /// Whether single rays are measured as calls, too: how long an answer takes, and a call that was
     /// forgotten.
     pub calls: bool,
-    /// How many groups may still be measured again because a neighbour did not leave them enough
-    /// rounds: he may have gone by then.
-    pub patience: u32,
+    /// What may still be measured again because of a neighbour: he may have gone by then.
+    pub patience: &'a mut Patience,
     /// Tells the time.
     pub clock: &'a mut dyn Clock,
     /// Tells whether a round was disturbed.
@@ -73,16 +73,18 @@ impl Bench<'_> {
         protocol: &Protocol,
     ) -> Result<GroupReport, ProtocolError> {
         let protocol = &Protocol { guards: self.guards, ..protocol.clone() };
-        let mut report = self.measure_once(contestants, protocol)?;
+        let (mut report, group) = self.measure_once(contestants, protocol)?;
         let (mut wait, mut attempts) = (WAIT, 0);
-        while report.crowded_share > 0.0 && self.patience > 0 && !report.cancelled {
-            self.patience -= 1;
+        while report.crowded_share > 0.0
+            && !report.cancelled
+            && self.patience.take_group(wait + group)
+        {
             std::thread::sleep(wait);
             attempts += 1;
             if attempts % FEW_ATTEMPTS == 0 {
                 wait = (2 * wait).min(LONGEST_WAIT);
             }
-            let again = self.measure_once(contestants, protocol)?;
+            let (again, _) = self.measure_once(contestants, protocol)?;
             // Never given up for one that was cut short.
             if !again.cancelled {
                 report = again;
@@ -91,7 +93,26 @@ impl Bench<'_> {
         Ok(report)
     }
 
+    /// The report, and how long it took without what was run again because of a neighbour, which
+    /// is taken off the patience.
     fn measure_once(
+        &mut self,
+        contestants: &mut [Contestant],
+        protocol: &Protocol,
+    ) -> Result<(GroupReport, Duration), ProtocolError> {
+        let protocol = &self.patience.limit(protocol);
+        let start_ns = self.clock.now_ns();
+        let report = self.measure_group(contestants, protocol)?;
+        let time = Duration::from_nanos(self.clock.now_ns().saturating_sub(start_ns));
+        let repeated = report.repeated_blocks as f64;
+        let usual = (report.trace.len() * contestants.len()) as f64;
+        let again = time.mul_f64(repeated / (repeated + usual).max(1.0));
+        self.patience.spend(again);
+        self.keep.take_down(protocol, &report.trace);
+        Ok((report, time - again))
+    }
+
+    fn measure_group(
         &mut self,
         contestants: &mut [Contestant],
         protocol: &Protocol,
@@ -110,8 +131,6 @@ impl Bench<'_> {
             progress: &mut tell,
             cancel: self.cancel,
         };
-        let report = measure_group(contestants, protocol, &mut surroundings)?;
-        self.keep.take_down(protocol, &report.trace);
-        Ok(report)
+        measure_group(contestants, protocol, &mut surroundings)
     }
 }

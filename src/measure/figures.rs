@@ -158,6 +158,8 @@ pub struct GroupReport {
     /// Share of the clean rounds in which somebody else used the core: 0, unless there would have
     /// been too few without them.
     pub crowded_share: f64,
+    /// Blocks that were run again because somebody else used the core.
+    pub repeated_blocks: usize,
     /// Planned length of all timed blocks, ns.
     pub planned_ns: u64,
     /// Whether it was ended before its time.

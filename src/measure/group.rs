@@ -3,6 +3,7 @@
 use super::clock::Clock;
 use super::contestant::{self, Contestant, Role};
 use super::counters::Counters;
+use super::course::Course;
 use super::disturbance::Disturbance;
 use super::figures::GroupReport;
 use super::forget::Forget;
@@ -14,8 +15,6 @@ use super::ruler::Ruler;
 use super::runner::{Instruments, Runner};
 use super::steadiness::Steadiness;
 use super::trace::{RoundState, RoundTrace};
-use rand::SeedableRng;
-use rand_pcg::Pcg64Mcg;
 use std::sync::atomic::{AtomicBool, Ordering as Atomic};
 
 /// How far a group is.
@@ -50,19 +49,14 @@ impl Surroundings<'_> {
         self.cancel.load(Atomic::Relaxed)
     }
 
-    fn instruments<'b>(
-        &'b mut self,
-        rng: &'b mut Pcg64Mcg,
-        spare_blocks: &'b mut usize,
-    ) -> Instruments<'b> {
+    fn instruments<'b>(&'b mut self, course: &'b mut Course) -> Instruments<'b> {
         Instruments {
             clock: &mut *self.clock,
             counters: &mut *self.counters,
             forget: &mut *self.forget,
             ruler: &mut *self.ruler,
             disturbance: &mut *self.disturbance,
-            spare_blocks,
-            rng,
+            course,
         }
     }
 }
@@ -81,12 +75,13 @@ pub fn measure_group(
 ) -> Result<GroupReport, ProtocolError> {
     protocol.validate()?;
     contestant::validate(contestants)?;
-    let mut rng = Pcg64Mcg::seed_from_u64(protocol.seed);
+    let mut course = Course::new(protocol.seed);
     let mut runners: Vec<Runner<'_>> = contestants.iter_mut().map(Runner::new).collect();
     surroundings.ruler.settle(surroundings.clock);
-    prepare(&mut runners, protocol, surroundings, &mut rng);
+    prepare(&mut runners, protocol, surroundings, &mut course);
     let mut trace = Vec::new();
-    let rounds = run_rounds(&mut runners, protocol, surroundings, &mut rng, &mut trace);
+    let rounds = run_rounds(&mut runners, protocol, surroundings, &mut course, &mut trace);
+    let rounds = Rounds { repeated_blocks: course.repeated_blocks, ..rounds };
     runners.iter_mut().for_each(Runner::restore);
     Ok(report(&mut runners, protocol, rounds, trace))
 }
@@ -97,7 +92,7 @@ fn prepare(
     runners: &mut [Runner<'_>],
     protocol: &Protocol,
     surroundings: &mut Surroundings<'_>,
-    rng: &mut Pcg64Mcg,
+    course: &mut Course,
 ) {
     if protocol.pace == Pace::Cold {
         runners.iter_mut().for_each(|r| r.plan = cold_plan(r.contestant.job.items()));
@@ -112,7 +107,7 @@ fn prepare(
         if surroundings.cancel.load(Atomic::Relaxed) {
             return;
         }
-        runner.plan = plan(runner.contestant, protocol, windows, clock, rng);
+        runner.plan = plan(runner.contestant, protocol, windows, clock, &mut course.rng);
     }
     align_with_reference(runners);
     for runner in runners.iter_mut().filter(|r| r.invalid.is_none()) {
@@ -120,12 +115,12 @@ fn prepare(
             return;
         }
         if protocol.guards {
-            runner.check_doubling(&mut surroundings.instruments(rng, &mut 0));
+            runner.check_doubling(&mut surroundings.instruments(course));
         }
         let alone = protocol.order == Order::Fixed && protocol.pace != Pace::Walk;
         if alone && runner.invalid.is_none() {
-            let mut spare_blocks = protocol.spare_blocks(1);
-            runner.run_solo(&mut surroundings.instruments(rng, &mut spare_blocks));
+            course.spare_blocks = protocol.spare_blocks(1);
+            runner.run_solo(&mut surroundings.instruments(course));
         }
     }
 }
@@ -146,6 +141,8 @@ fn align_with_reference(runners: &mut [Runner<'_>]) {
 pub(super) struct Rounds {
     pub clean: usize,
     pub dirty: usize,
+    /// Single blocks that were run again.
+    pub repeated_blocks: usize,
     pub cancelled: bool,
 }
 
@@ -175,7 +172,7 @@ fn run_rounds(
     runners: &mut [Runner<'_>],
     protocol: &Protocol,
     surroundings: &mut Surroundings<'_>,
-    rng: &mut Pcg64Mcg,
+    course: &mut Course,
     trace: &mut Vec<RoundTrace>,
 ) -> Rounds {
     let number = runners.len();
@@ -185,14 +182,13 @@ fn run_rounds(
     let mut latin = LatinOrder::new(number, !protocol.seed);
     let mut rounds = Rounds::default();
     let mut progress = Progress { done_blocks: 0, total_blocks: planned * number };
-    let mut spare_blocks = protocol.spare_blocks(number);
+    course.spare_blocks = protocol.spare_blocks(number);
     let mut steadiness = Steadiness::default();
     for window in 0..planned {
         let positions = latin.next_round();
         loop {
             let at = Round { positions: &positions, window, pace: protocol.pace };
-            let chance = (&mut *rng, &mut spare_blocks);
-            let mut ended = run_round(runners, at, surroundings, &mut progress, chance);
+            let mut ended = run_round(runners, at, surroundings, &mut progress, course);
             // A cold chain is one step: no measure of anything.
             let is_cold = protocol.pace == Pace::Cold;
             let crowded = runners.iter().filter_map(|r| r.pending).any(|sample| sample.crowded);
@@ -237,14 +233,14 @@ fn run_round(
     round: Round<'_>,
     surroundings: &mut Surroundings<'_>,
     progress: &mut Progress,
-    (rng, spare_blocks): (&mut Pcg64Mcg, &mut usize),
+    course: &mut Course,
 ) -> Ended {
     let before = surroundings.disturbance.count();
     for &position in round.positions {
         if surroundings.cancelled() {
             return Ended::Cancelled;
         }
-        let instruments = &mut surroundings.instruments(rng, spare_blocks);
+        let instruments = &mut surroundings.instruments(course);
         if round.pace == Pace::Cold {
             runners[position].cold_block(round.window, instruments);
         } else {

@@ -13,6 +13,7 @@ mod chain;
 mod clock;
 mod contestant;
 mod counters;
+mod course;
 mod date;
 mod dependent;
 mod disturbance;

@@ -70,6 +70,9 @@ pub struct Protocol {
     pub guards: bool,
     /// Relative difference that is none, > 0, whatever the noise allows to see.
     pub margin: f64,
+    /// At most so many blocks are run again because a neighbour was seen, however many
+    /// [`Protocol::spare_blocks`] would allow.
+    pub most_spare_blocks: usize,
 }
 
 /// Why a group cannot be measured.
@@ -124,6 +127,7 @@ impl Protocol {
             pace: Pace::Throughput,
             guards: true,
             margin: 0.01,
+            most_spare_blocks: usize::MAX,
         }
     }
 
@@ -168,7 +172,16 @@ impl Protocol {
     /// a core that is shared for half of the time is measured while it is not, and one that is
     /// always shared takes little more than twice the time.
     pub fn spare_blocks(&self, contestants: usize) -> usize {
-        self.planned_rounds(contestants).saturating_mul(contestants).saturating_mul(5) / 4
+        let planned = self.planned_rounds(contestants).saturating_mul(contestants);
+        (planned.saturating_mul(5) / 4).min(self.most_spare_blocks)
+    }
+
+    /// What an attempt at a block takes, about, ns: itself, the laying out of a new order, and a
+    /// look at the core.
+    pub fn attempt_ns(&self) -> u64 {
+        const LOOK_NS: u64 = 15_000;
+        let lay_out_ns = if self.order == Order::Reshuffled { self.block_ns } else { 0 };
+        lay_out_ns + self.block_ns + LOOK_NS
     }
 
     /// How many rounds may be run again because something disturbed them: a quarter.
@@ -189,11 +202,14 @@ mod tests {
         assert_eq!(protocol.planned_ns(9), 72 * 9 * 60_000);
         assert_eq!(protocol.spare_rounds(9), 18);
         assert_eq!(protocol.spare_blocks(9), 810);
+        assert_eq!(Protocol { most_spare_blocks: 5, ..protocol.clone() }.spare_blocks(9), 5);
+        assert_eq!(protocol.attempt_ns(), 75_000);
         protocol.exact_rounds = true;
         assert_eq!(protocol.planned_rounds(9), 64);
         // Four times as many, a third as long; calls one by one stay as they are.
         let reshuffled = Protocol::new(Order::Reshuffled, 1);
         assert_eq!((reshuffled.planned_rounds(16), reshuffled.block_ns), (256, 20_000));
+        assert_eq!(reshuffled.attempt_ns(), 55_000);
         assert_eq!(Protocol { pace: Pace::Cold, ..reshuffled }.planned_rounds(16), 64);
     }
 

@@ -69,6 +69,7 @@ pub(super) fn report(
         rounds: rounds.clean,
         dirty_rounds: rounds.dirty,
         crowded_share,
+        repeated_blocks: rounds.repeated_blocks,
         planned_ns: protocol.planned_ns(number),
         cancelled: rounds.cancelled,
         trace,

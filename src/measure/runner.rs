@@ -4,6 +4,7 @@ use super::calibrate::{timed_until, warm_up};
 use super::clock::Clock;
 use super::contestant::{Contestant, Expected};
 use super::counters::{Counters, Counts};
+use super::course::Course;
 use super::disturbance::Disturbance;
 use super::expectation::Expectation;
 use super::figures::Invalid;
@@ -32,10 +33,8 @@ pub(super) struct Instruments<'a> {
     pub forget: &'a mut dyn Forget,
     pub ruler: &'a mut dyn Ruler,
     pub disturbance: &'a mut dyn Disturbance,
-    /// Blocks that the group may still run again because of a neighbour.
-    pub spare_blocks: &'a mut usize,
-    /// For new orders.
-    pub rng: &'a mut Pcg64Mcg,
+    /// What goes on from block to block.
+    pub course: &'a mut Course,
 }
 
 impl Instruments<'_> {
@@ -44,10 +43,9 @@ impl Instruments<'_> {
         let mut reading = None;
         for _attempt in 0..MOST_ATTEMPTS {
             reading = self.ruler.read(self.clock);
-            if reading.is_none_or(|reading| !reading.crowded) || *self.spare_blocks == 0 {
+            if reading.is_none_or(|reading| !reading.crowded) || !self.course.take_spare() {
                 break;
             }
-            *self.spare_blocks -= 1;
         }
         reading
     }
@@ -131,15 +129,14 @@ impl<'a> Runner<'a> {
                 return;
             }
             let window = self.next_window(window);
-            let order = self.lay_out(window, instruments.rng);
+            let order = self.lay_out(window, &mut instruments.course.rng);
             self.time(window, order.as_deref(), instruments);
             // The way to the block of a walk is long; only what is timed must be undisturbed.
             let undisturbed = !(self.plan.walks && self.disturbed);
             let quiet = undisturbed && self.pending.is_some_and(|sample| !sample.crowded);
-            if quiet || attempt == MOST_ATTEMPTS || *instruments.spare_blocks == 0 {
+            if quiet || attempt == MOST_ATTEMPTS || !instruments.course.take_spare() {
                 return;
             }
-            *instruments.spare_blocks -= 1;
         }
     }
 
@@ -182,12 +179,12 @@ impl<'a> Runner<'a> {
         let job = self.contestant.job.as_mut();
         let block = self.plan.block(job.items(), window);
         let switches = self.plan.walks.then(|| instruments.disturbance.count());
-        let before = instruments.ruler.read(instruments.clock);
+        let before = instruments.course.before(instruments.ruler, instruments.clock);
         instruments.clock.announce(&self.contestant.id, tests);
         instruments.counters.start();
         let (ns, tally, at_ns) = timed_until(job, block, instruments.clock);
         let counts = instruments.counters.stop();
-        let after = instruments.ruler.read(instruments.clock);
+        let after = instruments.course.look(instruments.ruler, instruments.clock);
         self.disturbed = switches.is_some_and(|before| before != instruments.disturbance.count());
         if tally == self.expectation.block(block, order) {
             self.take((ns, at_ns), window, counts, [before, after]);
@@ -245,7 +242,9 @@ impl<'a> Runner<'a> {
     /// Whether twice the work takes about twice the time; if not, it fails.
     pub fn check_doubling(&mut self, instruments: &mut Instruments<'_>) {
         let job = self.contestant.job.as_mut();
-        if let Some(times) = guard::doubling(job, &self.plan, instruments.clock, instruments.rng) {
+        if let Some(times) =
+            guard::doubling(job, &self.plan, instruments.clock, &mut instruments.course.rng)
+        {
             self.fail(Invalid::NoMoreForMore { times });
         }
     }

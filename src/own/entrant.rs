@@ -8,7 +8,7 @@ use crate::accuracy::Reported;
 use crate::batch::{Foreign, ForeignPairs, LoopOver, PairsJob, widened};
 use crate::check;
 use crate::job::{Answer, Job};
-use crate::level::enter;
+use crate::level::Level;
 use crate::number::{Element, Precision};
 use crate::oracle::Query;
 use crate::registry::{self, Variant, answer, corners, posed};
@@ -140,7 +140,7 @@ fn bind<K: OwnKernel>(rays: &[workload::Ray], triangles: &[workload::Triangle]) 
         let ray = Ray::of(&widened::<K::Number>(ray));
         (ray, K::prepare(&Triangle::of(&corners(triangle))))
     };
-    let run: LoopOver<(Ray<K::Number>, K::Record)> = enter::<Base, ForeignPairs<OfOwn<K>, true>, 0>;
+    let run: LoopOver<(Ray<K::Number>, K::Record)> = Base::enter::<ForeignPairs<OfOwn<K>, true>, 0>;
     let code = |ray: &Ray<K::Number>, record: &K::Record| {
         if K::test(ray, record).is_some() { 0 } else { u8::MAX }
     };

@@ -12,7 +12,7 @@ use super::proof::{Answers, Standing};
 use super::settle::{Finals, Looked, Settled, settle, waste};
 use super::situation::Situation;
 use crate::experiment::cells::{CONTROLS, MOST_SUBJECTS};
-use crate::experiment::{Bench, Scene, Trouble};
+use crate::experiment::{Bench, Patience, Scene, Trouble};
 use crate::measure::{Order, Protocol};
 use crate::registry::{Variant, find};
 use crate::table::Row;
@@ -135,11 +135,11 @@ impl Stages<'_, '_> {
     fn heats(&mut self, forms: &[&'static Variant], pairs: &Timed) -> Result<Timed, Trouble> {
         let untimed = |form: &&'static Variant| pairs.of(&form.id()).is_none();
         let untimed: Vec<&'static Variant> = forms.iter().copied().filter(untimed).collect();
-        let (rounds, patience) = (self.bench.rounds, self.bench.patience);
+        let (rounds, patience) = (self.bench.rounds, *self.bench.patience);
         self.bench.rounds = heat_rounds(rounds);
-        self.bench.patience = 0;
+        *self.bench.patience = Patience { groups: 0, ..patience };
         let heats = self.time(&untimed);
-        (self.bench.rounds, self.bench.patience) = (rounds, patience);
+        (self.bench.rounds, *self.bench.patience) = (rounds, patience);
         let mut heats = heats?;
         heats.figures.extend(pairs.figures.iter().cloned());
         Ok(heats)

@@ -2,7 +2,7 @@
 //! triangles, bundles of single rays, and memory layouts. A few kernels stand for all.
 
 use crate::batch::{Aos, Aosoa, Bundle, Group, Layout, Nearest, NearestLoop, Shape, Soa, Storing};
-use crate::level::{self, Level, On, enter};
+use crate::level::{self, Level, On};
 use crate::number::{Element, Real};
 use crate::policy::{
     Compare, Early, Exit, First, Form, Full, Last, Nearer, Plain, Policy, Rounding, Tuv, TwoSided,
@@ -98,13 +98,13 @@ where
     R: Real + On<L>,
     L: Level,
 {
-    let run = enter::<L, Group<K, P, R>, 0>;
+    let run = L::enter::<Group<K, P, R>, 0>;
     push::<K, P, R::Element, L, Aosoa<WIDTH>>(v, format!("group{WIDTH}"), [1, 1, WIDTH], run);
 }
 
 /// At the baseline: what sharing gains without wide registers.
 fn bundle<K: Offers, P: Policy, const N: usize>(v: &mut Vec<Variant>) {
-    let run = enter::<Base, Bundle<K, P, f32, N>, 0>;
+    let run = Base::enter::<Bundle<K, P, f32, N>, 0>;
     push::<K, P, f32, Base, Aos>(v, format!("bundle{N}"), [1, N, N], run);
 }
 
@@ -129,9 +129,9 @@ fn layouts<K: Offers>(v: &mut Vec<Variant>) {
 
 /// The two layouts that are not the usual one.
 fn stored<K: Offers, P: Policy, R: Real + On<L>, L: Level>(v: &mut Vec<Variant>) {
-    let soa = enter::<L, Nearest<K, P, R, Soa>, 0>;
+    let soa = L::enter::<Nearest<K, P, R, Soa>, 0>;
     push::<K, P, R::Element, L, Soa>(v, drive::<R>(), [R::LANES; 3], soa);
-    let aosoa = enter::<L, Nearest<K, P, R, Aosoa<16>>, 0>;
+    let aosoa = L::enter::<Nearest<K, P, R, Aosoa<16>>, 0>;
     push::<K, P, R::Element, L, Aosoa<16>>(v, drive::<R>(), [R::LANES; 3], aosoa);
 }
 

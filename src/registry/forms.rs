@@ -3,7 +3,7 @@
 use crate::batch::{Aos, Nearest, NearestLoop, Pairs, PairsLoop, Shape, Storing};
 use crate::bound::{Work, work};
 use crate::kernels::{Kernel, MollerTrumbore};
-use crate::level::{self, Level, On, enter};
+use crate::level::{self, Level, On};
 use crate::number::{Element, Real};
 use crate::policy::{
     Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, Full, Fused, Hit, Inside,
@@ -210,9 +210,9 @@ where
 {
     let mut pairs: OptionalPairs<K, R::Element> = None;
     if R::LANES == 1 {
-        pairs = Some(enter::<L, Pairs<K, P, R::Element>, COPY>);
+        pairs = Some(L::enter::<Pairs<K, P, R::Element>, COPY>);
     }
-    let nearest = enter::<L, Nearest<K, N, R>, COPY>;
+    let nearest = L::enter::<Nearest<K, N, R>, COPY>;
     let axes =
         Axes { drive: drive::<R>(), copy: COPY, ..Axes::of::<K, P>(R::Element::NAME, L::NAME) };
     let shape = Shape { lanes: R::LANES, rays: R::LANES, outputs: numbers::<P::Output>() };

@@ -5,7 +5,7 @@ use crate::batch::{Listed, PairsLoop};
 use crate::kernels::listings::{
     Badouel, ChirkovLine, Listing, Literally, Moller, Placement, Priced, Script,
 };
-use crate::level::{self, Level, On, enter};
+use crate::level::{self, Level, On};
 use crate::number::Element;
 use crate::policy::Ray;
 
@@ -85,7 +85,7 @@ where
     fn exit_code<K: Listing, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> u8 {
         K::run::<E, Literally, true>(ray, record).0
     }
-    let run: PairsLoop<E, K::Record<E>> = enter::<L, Listed<K, S, E, UV>, COPY>;
+    let run: PairsLoop<E, K::Record<E>> = L::enter::<Listed<K, S, E, UV>, COPY>;
     let axes = Axes {
         division,
         output: if UV { "tuv" } else { "t" },

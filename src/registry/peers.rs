@@ -7,7 +7,7 @@ use glam::Vec3;
 
 use crate::batch::{Foreign, ForeignPairs, LoopOver, PairsJob};
 use crate::job::Answer;
-use crate::level::{self, Level, enter};
+use crate::level::{self, Level};
 use crate::oracle::Query;
 use crate::peers::{Bvh, Glam, Obvhs, ObvhsCompressed, ObvhsPrepared, Parry, Peer, Rayx};
 use crate::workload::{Ray, Triangle};
@@ -125,7 +125,7 @@ fn bind<P: Peer, const UV: bool>() -> Binder {
     Box::new(|rays, triangles| {
         let pairs = rays.iter().zip(triangles);
         let pairs = pairs.map(|(ray, triangle)| (P::ray(ray), P::triangle(triangle))).collect();
-        let run: LoopOver<(P::Ray, P::Triangle)> = enter::<Base, ForeignPairs<OfPeer<P>, UV>, 0>;
+        let run: LoopOver<(P::Ray, P::Triangle)> = Base::enter::<ForeignPairs<OfPeer<P>, UV>, 0>;
         Box::new(PairsJob::<f32, _, _>::new(pairs, run, exit_code::<P, UV>))
     })
 }

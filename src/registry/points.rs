@@ -4,7 +4,7 @@ use crate::batch::{PairsLoop, Points};
 use crate::kernels::{
     AngleSum, BadouelCramer, HalfSpaces, Keidy, PointTest, SignedAreas, Vertices,
 };
-use crate::level::{self, On, enter};
+use crate::level::{self, Level, On};
 use crate::number::Element;
 use crate::policy::{
     Between, Compare, Distance, Early, Exit, Form, Full, Last, Plain, Ray, SignBits, Tests, Tuv,
@@ -42,7 +42,7 @@ fn form<K: PointTest, E: Element + On<Base>, X: Exit, C: Tests>(v: &mut Vec<Vari
         let met = K::meet::<Of<Early, C>, E>((), tri);
         K::contains::<Of<Early, C>, E>(&ray.end, &met).map_or_else(|miss| miss.0, |_| 0)
     }
-    let run: PairsLoop<E, K::Record<E>> = enter::<Base, Points<K, Of<X, C>, E>, 0>;
+    let run: PairsLoop<E, K::Record<E>> = Base::enter::<Points<K, Of<X, C>, E>, 0>;
     let axes = Axes {
         exit: X::NAME,
         output: if uv { "tuv" } else { "hit" },

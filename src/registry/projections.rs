@@ -2,7 +2,7 @@
 
 use crate::batch::{Batches, Shape, Storing};
 use crate::kernels::{Fixed, Kernel, ThreeIndices, Wald};
-use crate::level::{self, Level, On, enter};
+use crate::level::{self, Level, On};
 use crate::number::Element;
 use crate::policy::{
     Between, Compare, Distance, Early, Exit, Form, Full, Last, Nearer, Plain, Policy, Rounding,
@@ -48,7 +48,7 @@ where
 fn batches<P: Policy, R: On<L>, L: Level>(v: &mut Vec<Variant>) {
     type Loop<P, R> = Batches<Wald<Fixed<0>>, Wald<Fixed<1>>, Wald<Fixed<2>>, P, R>;
     type Stored<E> = <Wald as Kernel>::Record<E>;
-    let run = enter::<L, Loop<P, R>, 0>;
+    let run = L::enter::<Loop<P, R>, 0>;
     let axes = Axes {
         drive: drive::<R>(),
         projection: "batches",

@@ -7,7 +7,7 @@ use crate::kernels::{
     Common, CommonOrigin, EmbreePlucker, HalfSpaces, KenslerShirley, MollerTrumbore, Parallel,
     PerpendicularPlanes, Precomputed, Shares, Vertices, WoopAffine, WoopWatertight,
 };
-use crate::level::{Level, On, enter};
+use crate::level::{Level, On};
 use crate::number::{Real, Twice};
 use crate::policy::{Early, Exit, First, Full, Fused, Last, Policy};
 
@@ -86,7 +86,7 @@ where
     L: Level,
 {
     let drive = format!("packet{}-{}", R::LANES, C::NAME);
-    let run = enter::<L, Sharing<K, P, R, G, C>, 0>;
+    let run = L::enter::<Sharing<K, P, R, G, C>, 0>;
     let variant = driven::<K, P, R::Element, L, Aosoa<WIDTH>>(drive, [R::LANES; 3], run);
     let work: Option<fn() -> Work> =
         if P::Exit::DEFERS_RANGE { Some(shared_work::<K, P, C>) } else { None };

@@ -4,7 +4,7 @@
 use crate::kernels::{
     About, BaldwinWeber, Fallback, FromPositions, MollerTrumbore, WoopWatertight,
 };
-use crate::level::{self, Level, On, enter};
+use crate::level::{self, Level, On};
 use crate::number::Extremes;
 use crate::policy::{Between, Compare, Early, Form, Last, Rounding, Tuv, TwoSided};
 use crate::structure::SearchJob;
@@ -73,7 +73,7 @@ where
         L: Level,
         A: Rounding,
     {
-        let run = enter::<L, Through<K, Of<K, A>, R, W>, 0>;
+        let run = L::enter::<Through<K, Of<K, A>, R, W>, 0>;
         Box::new(WideJob::<W>::new::<K>(triangles, rays, any, run))
     }
     let axes = Axes {

@@ -15,7 +15,7 @@ use std::any::type_name;
 use std::collections::BTreeMap;
 
 use ray_test::kernels::Kernel;
-use ray_test::level::{self, Level, On, enter};
+use ray_test::level::{self, Level, On};
 use ray_test::number::{Element, Lanes, Real};
 use ray_test::policy::{
     Between, Compare, Cull, Division, Early, Exit, Facing, First, Form, FromZero, Full, Fused,
@@ -69,7 +69,7 @@ fn hold<K: Kernel, P: Policy, L: Level, R: Real<Element: Precision> + On<L>>(law
     let mut sums = Vec::new();
     for packet in R::Element::packets(law) {
         let record = K::prepare(&packet.corners);
-        let lanes = enter::<L, Probe<K, P, R>, 0>((&packet.rays, &record));
+        let lanes = L::enter::<Probe<K, P, R>, 0>((&packet.rays, &record));
         let scalars = packet.rays.map(|ray| scalar::<K, P, R::Element>(&ray, &record));
         sums.push((
             packet.family,

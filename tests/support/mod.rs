@@ -3,7 +3,9 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use ray_test::experiment::{Bench, Experiment, Keep, KeepNothing, Outcome, Plan, RunError, run};
+use ray_test::experiment::{
+    Bench, Experiment, Keep, KeepNothing, Outcome, Patience, Plan, RunError, run,
+};
 use ray_test::measure::{NoCounters, NoRuler, Remember, ScriptedClock, Undisturbed};
 use ray_test::table::{Row, TableError};
 
@@ -49,7 +51,7 @@ pub fn attempt(
         calls: true,
         // The clock moves by its readings, not by work.
         guards: false,
-        patience: 0,
+        patience: &mut Patience::NONE.clone(),
         clock: &mut ScriptedClock::new(60_000),
         disturbance: &mut Undisturbed,
         counters: &mut NoCounters,

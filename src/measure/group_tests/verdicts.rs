@@ -234,14 +234,16 @@ fn beside(at: std::ops::Range<usize>) -> (GroupReport, usize) {
 
 #[test]
 fn blocks_beside_a_neighbour_are_run_again() {
+    // One look before the first block, and one after each.
     let (alone, readings) = beside(0..0);
-    assert_eq!((alone.rounds, alone.dirty_rounds, readings), (20, 0, 2 * 4 * 20));
-    assert_eq!(alone.figures[3].cycles_per_test, Some(2000.0));
-    // Three readings are two blocks, run again.
+    assert_eq!((alone.rounds, alone.dirty_rounds, readings), (20, 0, 1 + 4 * 20));
+    assert_eq!((alone.repeated_blocks, alone.figures[3].cycles_per_test), (0, Some(2000.0)));
+    // Seen after a block, before it is run again, and after that; then another time.
     let (visited, readings) = beside(40..43);
-    assert_eq!((visited.rounds, visited.dirty_rounds, readings), (20, 0, 2 * (4 * 20 + 2)));
+    assert_eq!((visited.rounds, visited.dirty_rounds, visited.repeated_blocks), (20, 0, 2));
+    assert_eq!(readings, 1 + 4 * 20 + 2 * 2);
     // Eight attempts at a block, and the round is dropped.
-    let (crowded, _) = beside(40..56);
+    let (crowded, _) = beside(40..55);
     assert_eq!((crowded.rounds, crowded.dirty_rounds, crowded.crowded_share), (19, 1, 0.0));
     let of = |state| crowded.trace.iter().filter(|round| round.state == state).count();
     assert_eq!([RoundState::Clean, RoundState::Crowded].map(of), [19, 1]);
@@ -253,5 +255,5 @@ fn a_neighbour_who_stays_is_told_of_and_no_endless_wait() {
     assert_eq!((crowded.rounds, crowded.dirty_rounds, crowded.crowded_share), (20, 0, 1.0));
     assert!(crowded.trace.iter().all(|round| round.state == RoundState::Crowded));
     // The blocks, and five quarters of them again.
-    assert_eq!(readings, 2 * (80 + 100));
+    assert_eq!((crowded.repeated_blocks, readings), (100, 2 * (80 + 100)));
 }

@@ -7,7 +7,7 @@ use fearless_simd::{f32x4, f32x8};
 use super::{Batches, Through, Wide, WideJob};
 use crate::job::Job;
 use crate::kernels::{Fallback, Kernel, MollerTrumbore, WoopWatertight};
-use crate::level::{Avx2, Level, On, Sse2, available, enter};
+use crate::level::{Avx2, Level, On, Sse2, available};
 use crate::number::{Extremes, Lanes};
 use crate::policy::Inside;
 use crate::structure::tests::{Of, cube, leaf, odd, rays, soup};
@@ -29,7 +29,7 @@ where
     if !available::<L>() {
         return [usize::MAX, 0];
     }
-    let run = enter::<L, Through<K, Of<Inside>, R, W>, 0> as fn(Batches<'_, W>);
+    let run = L::enter::<Through<K, Of<Inside>, R, W>, 0> as fn(Batches<'_, W>);
     let answers = WideJob::<W>::new::<K>(triangles, rays, false, run).answers();
     let any = WideJob::<W>::new::<K>(triangles, rays, true, run).answers();
     let (list, mut search) =
@@ -101,7 +101,7 @@ fn trees_hold_every_triangle_once_and_fill_their_leaves() {
 
 #[test]
 fn the_tree_of_nothing_hits_nothing() {
-    let run = enter::<Sse2, Through<MollerTrumbore, Of<Inside>, Four, 4>, 0>;
+    let run = Sse2::enter::<Through<MollerTrumbore, Of<Inside>, Four, 4>, 0>;
     let rays = rays(&cube(1), 9);
     let mut job = WideJob::<4>::new::<MollerTrumbore>(&[], &rays, false, run);
     assert!(job.answers().iter().all(|answer| answer.triangle.is_none()));
