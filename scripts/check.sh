@@ -13,6 +13,12 @@ export CARGO_INCREMENTAL=0
 
 step() { printf '\n== %s\n' "$1"; }
 
+# need COMMAND PACKAGE: installs it where apt can.
+need() {
+    command -v "$1" >/dev/null || apt-get install -y "$2" >/dev/null 2>&1 ||
+        { echo "$1 is missing; install it" >&2; exit 2; }
+}
+
 step "format"
 cargo fmt --version >/dev/null 2>&1 || rustup component add rustfmt
 cargo fmt --check
@@ -22,6 +28,26 @@ cargo clippy --version >/dev/null 2>&1 || rustup component add clippy
 # With the peers, whose code is added to that of a build without them, and without the command line.
 cargo clippy --release --all-targets --features peers -- -D warnings
 cargo clippy --release --no-default-features --lib -- -D warnings
+
+step "supply"
+# The stricter program where it is; it takes minutes to build, and asks for advisories on the network.
+if cargo deny --version >/dev/null 2>&1; then
+    cargo deny --config scripts/deny.toml --all-features check licenses bans sources
+else
+    need python3 python3
+    scripts/check_supply.py --self-test
+    scripts/check_supply.py
+fi
+
+step "minimum Rust version"
+rust=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
+if [[ "$(rustc --version)" == "rustc $rust."* ]]; then
+    echo "all that follows is built with it: $rust"
+elif rustup toolchain list 2>/dev/null | grep -q "^$rust"; then
+    cargo "+$rust" check --release
+else
+    echo "skipped: no Rust $rust (1 check)"
+fi
 
 step "build"
 cargo build --release
