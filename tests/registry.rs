@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use ray_test::job::Block;
-use ray_test::registry::{REFERENCE, Variant, find, kernels, placebos, variants};
+use ray_test::registry::{REFERENCE, Variant, find, kernels, placebos, streams, variants};
 use ray_test::workload::{Kind, NearestSet, NearestSpec};
 
 /// Growth is a decision: 2 000 with the stiff cases, 2 400 with groups and layouts.
@@ -106,5 +106,16 @@ fn triangles_in_another_order_give_the_same_tallies_and_answers() {
         job.permute_shared(&backwards);
         assert_eq!(job.run(Block::whole(job.as_ref())), tally, "{id}");
         assert_eq!(job.answers(), answers, "{id}");
+    }
+}
+
+#[test]
+fn every_stream_of_operations_finds_the_same_however_long_it_runs() {
+    for stream in streams().iter().filter(|stream| (stream.available)()) {
+        let mut job = (stream.job)();
+        let block = |items| Block { first: 0, items, repeats: 1, literal: false };
+        let (one, seven) = (job.run(block(1)), job.run(block(7)));
+        assert_eq!(one.times(7), seven, "{}", stream.id());
+        assert!(one.bits[0] != 0, "{}", stream.id());
     }
 }

@@ -13,8 +13,8 @@ use crate::policy::{
 
 use super::exit_code::exit_code;
 use super::{
-    Axes, KernelVisitor, Offers, Other, Variant, bind_nearest, bind_pairs, bind_tiles, edges,
-    preparing, visit_kernels,
+    Axes, EVERY_FORM, KernelVisitor, Offers, Other, Variant, bind_nearest, bind_pairs, bind_tiles,
+    edges, preparing, visit_kernels,
 };
 
 /// Every kernel in every form.
@@ -48,22 +48,22 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     type A5 = <Avx512 as Level>::Token;
 
     outputs::<K, f32, Sse2, Plain>(v);
-    if EVERY_LEVEL {
-        exits::<K, f32, Sse42, Plain>(v);
-    }
-    exits::<K, f32, Avx2, Plain>(v);
     exits::<K, f32, Avx2, Fused>(v);
-    if EVERY_LEVEL {
-        exits::<K, f32, Avx512, Plain>(v);
-    }
     if K::F64 {
         exits::<K, f64, Sse2, Plain>(v);
-        exits::<K, f64, Avx2, Plain>(v);
     }
     if K::PACKETS {
         exits::<K, On<Sse2, f32x4<S2>>, Sse2, Plain>(v);
     }
-    if K::PACKETS && EVERY_LEVEL {
+    if EVERY_FORM {
+        exits::<K, f32, Sse42, Plain>(v);
+        exits::<K, f32, Avx2, Plain>(v);
+        exits::<K, f32, Avx512, Plain>(v);
+    }
+    if K::F64 && EVERY_FORM {
+        exits::<K, f64, Avx2, Plain>(v);
+    }
+    if K::PACKETS && EVERY_FORM {
         exits::<K, On<Sse42, f32x4<S4>>, Sse42, Plain>(v);
         exits::<K, On<Avx2, f32x8<A2>>, Avx2, Plain>(v);
         exits::<K, On<Avx2, f32x8<A2>>, Avx2, Fused>(v);
@@ -76,11 +76,6 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
         exits::<K, On<Avx512, f64x8<A5>>, Avx512, Fused>(v);
     }
 }
-
-/// The library is built a second time for its own tests, which need a form of each kind; those in
-/// `tests` are built with all forms, and hold every one of them to the laws. Half of a build saved.
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-const EVERY_LEVEL: bool = cfg!(not(test));
 
 /// The levels and the numbers that each of them has natively.
 #[cfg(target_arch = "aarch64")]
@@ -111,17 +106,9 @@ where
     R::Element: On<L>,
 {
     exits::<K, R, L, A>(v);
-    divisions_with::<K, R, L, Early, A, Hit, TwoSided, Compare, K::Native>(v);
-    divisions_with::<K, R, L, Full, A, Hit, TwoSided, Compare, K::Native>(v);
-    if K::UV {
-        divisions_with::<K, R, L, Early, A, T, TwoSided, Compare, K::Native>(v);
-        divisions_with::<K, R, L, Full, A, T, TwoSided, Compare, K::Native>(v);
-        divisions_with::<K, R, L, Early, A, Surface, TwoSided, Compare, K::Native>(v);
-        divisions_with::<K, R, L, Full, A, Surface, TwoSided, Compare, K::Native>(v);
-    }
-    if K::CULLS {
-        divisions_with::<K, R, L, Early, A, Tuv, Cull, Compare, K::Native>(v);
-        divisions_with::<K, R, L, Full, A, Tuv, Cull, Compare, K::Native>(v);
+    asked_otherwise::<K, R, L, Early, A>(v);
+    if EVERY_FORM {
+        asked_otherwise::<K, R, L, Full, A>(v);
     }
     if K::SIGN_BITS {
         form::<K, R, L, Early, Last, A, Tuv, TwoSided, SignBits, K::Native, 0>(v);
@@ -136,6 +123,21 @@ where
     if K::BOTH_ORDERS {
         divisions_with::<K, R, L, Early, A, Tuv, TwoSided, Compare, <K::Native as Other>::Other>(v);
         divisions_with::<K, R, L, Full, A, Tuv, TwoSided, Compare, <K::Native as Other>::Other>(v);
+    }
+}
+
+/// What reports or accepts less than usual, or more.
+fn asked_otherwise<K: Offers, R: On<L>, L: Level, E: Exit, A: Rounding>(v: &mut Vec<Variant>)
+where
+    R::Element: On<L>,
+{
+    divisions_with::<K, R, L, E, A, Hit, TwoSided, Compare, K::Native>(v);
+    if K::UV {
+        divisions_with::<K, R, L, E, A, T, TwoSided, Compare, K::Native>(v);
+        divisions_with::<K, R, L, E, A, Surface, TwoSided, Compare, K::Native>(v);
+    }
+    if K::CULLS {
+        divisions_with::<K, R, L, E, A, Tuv, Cull, Compare, K::Native>(v);
     }
 }
 

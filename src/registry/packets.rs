@@ -6,7 +6,7 @@ use crate::number::{Real, Twice};
 use crate::policy::{Compare, Full, Fused, Tuv, TwoSided};
 
 use super::forms::divisions_with;
-use super::{KernelVisitor, Offers, Variant, registers, visit_kernels};
+use super::{EVERY_FORM, KernelVisitor, Offers, Variant, registers, visit_kernels};
 
 /// Every kernel that runs in packets.
 pub fn all(v: &mut Vec<Variant>) {
@@ -30,13 +30,13 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     use registers::{Eight, EightDoubles, Sixteen};
 
     full::<K, Twice<Sixteen>, Avx512>(v);
-    if cfg!(not(test)) {
+    if EVERY_FORM {
         full::<K, Twice<Eight>, Avx2>(v);
     }
-    if K::GROUPS && cfg!(not(test)) {
+    if K::GROUPS && EVERY_FORM {
         full::<K, Twice<EightDoubles>, Avx512>(v);
     }
-    if K::LAYOUTS && cfg!(not(test)) {
+    if K::LAYOUTS && EVERY_FORM {
         full::<K, Twice<Twice<Eight>>, Avx2>(v);
         full::<K, Twice<Twice<Sixteen>>, Avx512>(v);
     }

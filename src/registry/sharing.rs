@@ -12,7 +12,7 @@ use crate::number::{Real, Twice};
 use crate::policy::{Early, Exit, First, Full, Fused, Last, Policy};
 
 use super::drives::{Of, driven};
-use super::{Offers, Variant, registers};
+use super::{EVERY_FORM, Offers, Variant, registers};
 
 /// Every kernel that shares something.
 pub fn all(v: &mut Vec<Variant>) {
@@ -38,7 +38,7 @@ fn lengths<K: Offers + Shares<C>, C: Common>(v: &mut Vec<Variant>) {
     use registers::{Eight, Sixteen};
 
     form::<K, C, Full, Sixteen, Sixteen, Avx512, 16>(v);
-    if cfg!(not(test)) {
+    if EVERY_FORM {
         form::<K, C, Full, Eight, Eight, Avx2, 8>(v);
         form::<K, C, Full, Twice<Eight>, Eight, Avx2, 8>(v);
         form::<K, C, Full, Twice<Sixteen>, Sixteen, Avx512, 16>(v);

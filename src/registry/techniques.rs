@@ -8,7 +8,7 @@ use crate::policy::{
 };
 
 use super::forms::variant;
-use super::{KernelVisitor, Offers, Variant, registers, visit_kernels};
+use super::{EVERY_FORM, KernelVisitor, Offers, Variant, registers, visit_kernels};
 
 /// Every kernel that stands for the others.
 pub fn all(v: &mut Vec<Variant>) {
@@ -41,7 +41,7 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
         signs::<K, Avx2, First, K::Native>(v);
     }
     once::<K, Sixteen, Avx512, Fused>(v);
-    if cfg!(not(test)) {
+    if EVERY_FORM {
         estimates::<K, Eight, Avx2>(v);
         once::<K, Eight, Avx2, Fused>(v);
     }
