@@ -81,7 +81,7 @@ pub struct Thesis {
 pub enum Verb {
     /// Run experiments from TOML files
     #[command(
-        after_help = "Examples:\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine --resume\n\nEnvironment:\n  RAY_TEST_LOCK      file that keeps two runs from measuring at once [default: ray_test.lock in the folder for temporary files]\n  RAY_TEST_PATIENCE  how many groups of an experiment are measured again beside a neighbour, for every 64 rounds: 0 where the machine is never quiet [default: 6, less in a run of many experiments]"
+        after_help = "Examples:\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine\n  ray_test run configs/b-4.2.toml --profile standard --out results/mine --resume\n\nEnvironment:\n  RAY_TEST_LOCK      file that keeps two runs from measuring at once [default: ray_test.lock in the folder for temporary files]\n  RAY_TEST_PATIENCE  how many groups of a run are measured again beside a neighbour, for every 64 rounds, however long that takes: 0 where the machine is never quiet, and nothing is [default: what fits into 10 s, single blocks included]"
     )]
     Run(Run),
     /// Run every built-in experiment
