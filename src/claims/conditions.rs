@@ -1,6 +1,7 @@
 //! Under which conditions a claim is judged, and which rows belong to each.
 
 use super::claim::{Claim, SeriesOf};
+use super::select::belongs;
 use crate::table::Row;
 
 /// A condition: what rows have in common.
@@ -71,11 +72,13 @@ fn values_of(claim: &Claim, rows: &[&Row]) -> Vec<Vec<String>> {
         let fixed = |column: &String| series.filter.contains_key(column);
         series.values.is_empty() && !claim.columns().iter().any(fixed)
     };
+    let of_row =
+        |row: &&Row| -> Vec<String> { claim.columns().iter().map(|c| text(row, c)).collect() };
     let mut common: Option<Vec<Vec<String>>> = None;
     for series in claim.series.values().filter(free) {
         let mut own: Vec<Vec<String>> = Vec::new();
         for row in rows.iter().filter(|row| series.experiment.list().contains(&row.experiment)) {
-            let values: Vec<String> = claim.columns().iter().map(|c| text(row, c)).collect();
+            let values = of_row(row);
             if !own.contains(&values) && values.iter().any(|value| !value.is_empty()) {
                 own.push(values);
             }
@@ -89,8 +92,18 @@ fn values_of(claim: &Claim, rows: &[&Row]) -> Vec<Vec<String>> {
             Some(others) => others.into_iter().filter(|one| own.contains(one)).collect(),
         });
     }
+    // Other rows of an experiment, which no series asks for, make no condition.
+    let asked: Vec<Vec<String>> = rows
+        .iter()
+        .filter(|row| claim.series.values().filter(free).any(|series| belongs(series, row)))
+        .map(of_row)
+        .collect();
+    let mut common = common.unwrap_or_default();
+    if !asked.is_empty() {
+        common.retain(|values| asked.contains(values));
+    }
     match common {
-        Some(common) if !common.is_empty() => common,
+        common if !common.is_empty() => common,
         _ => claim.decides.iter().flatten().map(|value| vec![value.clone()]).collect(),
     }
 }

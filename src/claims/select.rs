@@ -59,7 +59,8 @@ pub fn select(of: &SeriesOf, rows: &[&Row]) -> Result<Selected, Lack> {
     Ok(Selected { series: Series::new(along, cells), noise_floor })
 }
 
-fn belongs(of: &SeriesOf, row: &Row) -> bool {
+/// Whether a series asks for a row.
+pub fn belongs(of: &SeriesOf, row: &Row) -> bool {
     of.experiment.list().contains(&row.experiment) && admits(&of.filter, row)
 }
 

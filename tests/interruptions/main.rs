@@ -175,13 +175,15 @@ fn interrupted_it_saves_shows_and_says_how_to_go_on() {
         let table = format!("out/{id}/rows.csv");
         let shown = String::from_utf8_lossy(&output.stdout);
         assert!(shown.contains(&table), "{shown}");
-        assert_eq!(shown.contains("ns_per_test"), id == "pairs", "{shown}");
         // What was measured is drawn; the report waits for the rest.
         assert!(place.path("out/pairs/pairs.svg").is_file(), "{message}");
         assert!(!place.path("out/report.html").exists());
         let kept = place.read_everything("out");
         let run = read_json(&place.path("out").join(id).join("rows.json")).expect("it was saved");
         assert_eq!(run.environment["complete"], false);
+        // On a machine that is never quiet nothing has a time.
+        let is_timed = run.rows.iter().any(|row| row.ns_per_test.is_some());
+        assert_eq!(shown.contains("ns_per_test"), is_timed, "{shown}");
         assert!(place.journal("out", id).exists());
         place.finish("out", &["--profile", "standard", "--resume"]);
         assert!(place.path("out/report.html").is_file());

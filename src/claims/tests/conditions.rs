@@ -13,7 +13,7 @@ id = "X-1"
 source = "nobody"
 statement = "a is slower than b."
 explains.reshuffled = "Because of this."
-series.time = { experiment = "x", value = "cycles_per_test", along = "kernel" }
+series.time = { experiment = "x", filter = { kernel = ["a", "b"] }, value = "cycles_per_test", along = "kernel" }
 series.count = { experiment = "counts", value = "ops_mul", along = "kernel" }
 [[claim.part]]
 what = "a / b"
@@ -101,6 +101,17 @@ fn orders_stand_in_their_order_and_the_opposite_is_explained() {
     let all: Vec<&Finding> = found.iter().collect();
     let wanted = "reproduced (literal); undecided (fixed); contradicted (reshuffled)";
     assert_eq!(headline(&all), wanted);
+}
+
+#[test]
+fn rows_that_no_series_asks_for_make_no_condition() {
+    let mut rows = on("", [("literal", 1.2), ("fixed", 1.2), ("reshuffled", 1.2)]);
+    rows.push(time("c", "sorted", "", 10.0));
+    let found = of("X-1", &rows);
+    let words: Vec<&str> = found.iter().map(|found| found.condition.as_str()).collect();
+    assert_eq!(words, ["literal", "fixed", "reshuffled"]);
+    rows.push(time("a", "sorted", "", 10.0));
+    assert_eq!(of("X-1", &rows).len(), 4);
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::scene::built_in;
 
 /// What an estimate takes for granted: so long takes a triangle to be built into a structure and answered
 /// about, and a ray to be searched for and judged, each with every structure.
-const SECONDS_PER_TRIANGLE: f64 = 4e-6;
+const SECONDS_PER_TRIANGLE: f64 = 16e-6;
 const SECONDS_PER_RAY: f64 = 15e-6;
 const SECONDS_PER_LIST_TEST: f64 = 25e-9;
 
