@@ -38,28 +38,43 @@ impl Failure {
     pub fn print(&self) {
         match self {
             Failure::Unheard => {}
-            Failure::Runtime(error) => eprintln!("error: {error:#}"),
-            Failure::Usage(message) => eprintln!("error: {message}"),
-            Failure::Regressed(count) => eprintln!("error: {count} confirmed regressions"),
-            Failure::Wrong(ids) => eprintln!(
+            Failure::Runtime(error) => say!("error: {}", with_causes(error)),
+            Failure::Usage(message) => say!("error: {message}"),
+            Failure::Regressed(count) => say!("error: {count} confirmed regressions"),
+            Failure::Wrong(ids) => say!(
                 "error: a wrong answer, not timed (reasons are in the rows):\n  {}",
                 ids.join("\n  ")
             ),
-            Failure::WrongPicture(reasons) => eprintln!(
+            Failure::WrongPicture(reasons) => say!(
                 "error: a wrong answer that rounding does not explain:\n  {}",
                 reasons.join("\n  ")
             ),
-            Failure::Interrupted => eprintln!("interrupted"),
+            Failure::Interrupted => say!("interrupted"),
         }
     }
 }
 
+/// An error with its causes, but for those that the words before them have told already.
+fn with_causes(error: &anyhow::Error) -> String {
+    error.chain().map(|cause| cause.to_string()).fold(String::new(), |text, cause| {
+        match (text.is_empty(), text.contains(&cause)) {
+            (true, _) => cause,
+            (_, true) => text,
+            _ => format!("{text}: {cause}"),
+        }
+    })
+}
+
+/// Of printing: what is done with files comes as a [`TableError`](crate::table::TableError), which
+/// names the file.
 impl From<std::io::Error> for Failure {
     fn from(error: std::io::Error) -> Self {
         if error.kind() == std::io::ErrorKind::BrokenPipe {
             Failure::Unheard
         } else {
-            Failure::Runtime(error.into())
+            Failure::Runtime(anyhow::anyhow!(
+                "stdout: {error}; what was printed is not whole, print it elsewhere"
+            ))
         }
     }
 }
