@@ -107,3 +107,26 @@ impl From<crate::claims::LedgerError> for Failure {
         Failure::Usage(error.to_string())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::TableError;
+
+    #[test]
+    fn a_cause_is_told_once_and_what_cannot_be_printed_names_its_place() {
+        let full = || std::io::Error::from(std::io::ErrorKind::StorageFull);
+        let file = "some/rows.csv".into();
+        let error = anyhow::Error::from(TableError::Io { file, source: full() });
+        let text = with_causes(&error);
+        assert!(text.starts_with("some/rows.csv: "), "{text}");
+        assert_eq!(text.matches(&full().to_string()).count(), 1, "{text}");
+        assert_eq!(with_causes(&anyhow::anyhow!("inner").context("outer")), "outer: inner");
+        let printed = Failure::from(full());
+        assert!(
+            matches!(&printed, Failure::Runtime(error) if error.to_string().starts_with("stdout: "))
+        );
+        let gone = Failure::from(std::io::Error::from(std::io::ErrorKind::BrokenPipe));
+        assert_eq!((printed.code(), gone.code()), (1, 0));
+    }
+}
