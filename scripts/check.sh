@@ -65,6 +65,9 @@ scripts/check_codegen.sh target/release/ray_test
 step "from end to end"
 scripts/check_run.sh target/release/ray_test
 
+step "where things break"
+scripts/check_breaks.sh target/release/ray_test
+
 step "report"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

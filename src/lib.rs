@@ -96,6 +96,8 @@
 //! # Ok::<(), ray_test::workload::WorkloadError>(())
 //! ```
 #![forbid(unsafe_code)]
+// Both end the program where nobody hears; the command line has ways of its own.
+#![cfg_attr(not(test), deny(clippy::print_stderr, clippy::print_stdout))]
 
 pub mod number;
 

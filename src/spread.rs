@@ -40,8 +40,11 @@ pub fn pieces<T: Send>(
     };
     // A panic of a piece goes on in this thread.
     thread::scope(|scope| {
-        for _ in 0..watch.threads.unwrap_or_else(anywhere).min(count) {
-            scope.spawn(work);
+        let threads = watch.threads.unwrap_or_else(anywhere).min(count);
+        let start = |_: &usize| thread::Builder::new().spawn_scoped(scope, work).is_ok();
+        // Where the system gives no thread, this one does it all.
+        if (0..threads).filter(start).count() == 0 {
+            work();
         }
     });
     results.into_iter().map(|result| result.into_inner().unwrap_or(None)).collect()

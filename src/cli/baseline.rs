@@ -8,7 +8,8 @@ use super::compare::{CompareFormat, report};
 use super::failure::Failure;
 use crate::compare::{Side, Threshold};
 use crate::measure::BuildInfo;
-use crate::table::write_atomically;
+use crate::results::ROWS;
+use crate::table::{TableError, make_folder, try_folder, write_atomically};
 
 /// What `run` and `reproduce` do with baselines.
 #[derive(Args, Debug)]
@@ -55,6 +56,25 @@ impl Baselines {
         }
     }
 
+    /// Finds out whether a run could be saved, before it runs.
+    ///
+    /// # Errors
+    /// Usage, if it could not.
+    pub fn prepare(&self) -> Result<(), Failure> {
+        let Some(name) = &self.save_baseline else { return Ok(()) };
+        let folder = Path::new(FOLDER);
+        let place = folder.join(name);
+        // The folder of the baseline itself is made when there is something to keep.
+        let tried = if place.exists() { try_folder(&place) } else { try_folder(folder) };
+        tried.map_err(|error| {
+            Failure::Usage(format!(
+                "--save-baseline: {} cannot be written: {error}; allowed: a current folder that \
+                 can be written, and no file of that name",
+                place.display()
+            ))
+        })
+    }
+
     /// Saves or compares a run that has ended well, or with wrong answers; those are the worse
     /// failure, and are never saved.
     ///
@@ -75,7 +95,7 @@ impl Baselines {
                 ended.and(compared)
             }
             (Some(name), _) => {
-                eprintln!("not saved as baseline {name}: the run did not end well");
+                say!("not saved as baseline {name}: the run did not end well");
                 ended
             }
             _ => ended,
@@ -112,12 +132,13 @@ fn names(folder: &Path) -> Vec<String> {
 /// Copies the rows of a run. Experiments that the baseline has and the run has not are kept.
 fn save(run: &Path, experiments: &[String], folder: &Path, name: &str) -> Result<(), Failure> {
     for id in experiments {
-        let bytes = std::fs::read(run.join(id).join("rows.json"))?;
+        let file = run.join(id).join(ROWS);
+        let bytes = std::fs::read(&file).map_err(|source| TableError::Io { file, source })?;
         let target: PathBuf = folder.join(name).join(id);
-        std::fs::create_dir_all(&target)?;
-        write_atomically(&target.join("rows.json"), &bytes)?;
+        make_folder(&target)?;
+        write_atomically(&target.join(ROWS), &bytes)?;
     }
-    eprintln!("saved as baseline {}", folder.join(name).display());
+    say!("saved as baseline {}", folder.join(name).display());
     Ok(())
 }
 

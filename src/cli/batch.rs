@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::io::Write;
+use std::path::Path;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
@@ -47,7 +48,7 @@ fn parts(sources: Vec<Source>) -> Result<Vec<Source>, Failure> {
         if is_part { parts.push((origin, text)) } else { apart.push(origin) }
     }
     if !apart.is_empty() {
-        eprintln!("not part of it, to be run by themselves: `ray_test run {}`", apart.join(" "));
+        say!("not part of it, to be run by themselves: `ray_test run {}`", apart.join(" "));
     }
     Ok(parts)
 }
@@ -74,22 +75,26 @@ fn carry_out(sources: Vec<Source>, batch: &Batch, with_stiff: bool) -> Result<()
         let environment = shards::environment();
         let hash = config_hash(&plans, &sources, batch, &environment);
         let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
-        return shards::carry_out(&plans, sweep.as_ref(), batch, &folder.of_shard(shard));
+        let folder = folder.of_shard(shard);
+        let ended = shards::carry_out(&plans, sweep.as_ref(), batch, &folder);
+        return ended.inspect_err(|failure| say_where_it_stands(failure, &folder));
     }
+    batch.baselines.prepare()?;
     let _lock = lock::take()?;
     let (instruments, environment) = Instruments::set_up(batch.pin)?;
     let hash = config_hash(&plans, &sources, batch, &environment);
     let folder = Folder::new(batch.out.as_deref(), hash, environment, settings(batch));
     let folder = if batch.resume { folder.going_on() } else { folder };
     let before = folder.open(&plans, batch.resume)?;
-    eprintln!(
+    say!(
         "{} experiments, about {} s; results in {}",
         plans.len(),
         seconds_of_all(&plans, sweep.as_ref(), profile, None).ceil(),
         folder.path().display()
     );
     let ended = measure(&plans, before, batch, &folder, instruments)
-        .and_then(|wrong| conclude(sweep.as_ref(), batch, &folder, wrong));
+        .and_then(|wrong| conclude(sweep.as_ref(), batch, &folder, wrong))
+        .inspect_err(|failure| say_where_it_stands(failure, &folder));
     batch.baselines.finish(ended, folder.path(), &experiments)
 }
 
@@ -137,7 +142,7 @@ fn here(sources: &[Source]) -> Result<Vec<(&str, Experiment)>, Failure> {
         }
     }
     for (feature, ids) in skipped {
-        eprintln!(
+        say!(
             "skipped {} ({}): this build lacks the feature '{feature}'; `cargo build --release \
              --features {feature}` has it",
             ids.len(),
@@ -167,7 +172,7 @@ fn measure(
         if let Before::Finished(before) = before {
             wrong.extend(before.iter().map(|variant| format!("{id}: {variant}")));
             bar.inc(plan.blocks(profile) as u64);
-            eprintln!("{id}: finished before");
+            say!("{id}: finished before");
             continue;
         }
         if cancel.load(Ordering::Relaxed) {
@@ -228,10 +233,21 @@ pub fn interrupted(folder: &Folder) -> Failure {
     {
         failure.print();
     }
-    let arguments = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
-    let command = unfinished::resume_command(arguments, path);
-    eprintln!("what was measured is saved; to go on:\n  {command}");
+    say_how_to_go_on(path, "");
     Failure::Interrupted
+}
+
+/// Of a run that failed on its way, a full disk say: what it had measured is not lost.
+fn say_where_it_stands(failure: &Failure, folder: &Folder) {
+    if matches!(failure, Failure::Runtime(_)) {
+        say_how_to_go_on(folder.path(), ", once the cause below is mended");
+    }
+}
+
+fn say_how_to_go_on(folder: &Path, when: &str) {
+    let arguments = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
+    let command = unfinished::resume_command(arguments, folder);
+    say!("what was measured is saved; to go on{when}:\n  {command}");
 }
 
 /// A line per experiment, on stderr.
@@ -243,7 +259,7 @@ pub fn said(id: &str, outcome: &Outcome, time: Duration) {
             notes += &format!(", {} {status}", of(status));
         }
     }
-    eprintln!("{id}: {} rows, {:.1} s{notes}", outcome.rows.len(), time.as_secs_f64());
+    say!("{id}: {} rows, {:.1} s{notes}", outcome.rows.len(), time.as_secs_f64());
 }
 
 /// What rows depend on besides experiment, program and machine.

@@ -114,7 +114,7 @@ impl Printer {
         }
         self.out.flush()?;
         if self.rows > 0 && self.format == Format::Text {
-            eprintln!("{}", self.summary.text());
+            say!("{}", self.summary.text());
         }
         Ok(())
     }

@@ -57,7 +57,7 @@ pub fn report(
     format: CompareFormat,
 ) -> Result<(), Failure> {
     for file in base.unfinished().chain(new.unfinished()) {
-        eprintln!("note: {}: of an interrupted run; compared is what it has", file.display());
+        say!("note: {}: of an interrupted run; compared is what it has", file.display());
     }
     let comparison = compare(base, new, threshold);
     let printed = match format {

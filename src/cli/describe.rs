@@ -22,7 +22,7 @@ pub fn describe(id: &str, text: Option<&str>) -> Option<About> {
         match Experiment::parse(&config, text) {
             Ok(experiment) => return Some(of(experiment, config)),
             Err(error) => {
-                eprintln!("note: {error}; the experiment of this program is taken instead")
+                say!("note: {error}; the experiment of this program is taken instead")
             }
         }
     }

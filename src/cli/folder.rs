@@ -7,6 +7,7 @@ pub use kept::Before;
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
+use super::publish::REPORTS;
 use super::rounds::{self, ROUNDS, RoundsLog};
 use super::stored::workload_hash;
 use super::unfinished::Keeper;
@@ -15,8 +16,8 @@ use crate::measure::{Environment, now_rfc3339};
 use crate::results::{DESCRIPTION, JOURNAL, ROWS, TABLE};
 use crate::shard::Shard;
 use crate::table::{
-    Header, Journaled, RunFile, SCHEMA_VERSION, remove_partial_files, write_atomically, write_csv,
-    write_json,
+    Header, Journaled, RunFile, SCHEMA_VERSION, make_folder, remove_file, remove_partial_files,
+    try_folder, write_atomically, write_csv, write_json,
 };
 
 /// The folder of one run.
@@ -94,7 +95,7 @@ impl Folder {
                 folder.path.display()
             ))
         };
-        std::fs::create_dir_all(&folder.path).map_err(|error| refused(&error))?;
+        try_folder(&folder.path).map_err(|error| refused(&error))?;
         let json = serde_json::to_vec_pretty(&folder.environment)
             .map_err(|error| Failure::Runtime(error.into()))?;
         write_atomically(&folder.path.join("environment.json"), &json)
@@ -126,10 +127,13 @@ impl Folder {
             if [JOURNAL, ROWS].into_iter().any(|name| self.file(id, name).exists()) {
                 self.begin(plan, Before::Nothing)?;
             }
-            // The journal stands: what was there before is of another run.
+            // The journal stands: what was there before is of another run, and so is its report.
             for name in [ROWS, TABLE, ROUNDS] {
                 std::fs::remove_file(self.file(id, name)).ok();
             }
+        }
+        for name in REPORTS {
+            std::fs::remove_file(self.path.join(name)).ok();
         }
         Ok(())
     }
@@ -140,7 +144,7 @@ impl Folder {
     /// When it cannot be written.
     pub fn begin(&self, plan: &Plan, before: Before) -> Result<Keeper, Failure> {
         let (id, seed) = (&plan.experiment.id, plan.experiment.seed);
-        std::fs::create_dir_all(self.path.join(id))?;
+        make_folder(&self.path.join(id))?;
         write_atomically(&self.file(id, DESCRIPTION), plan.experiment.text.as_bytes())?;
         let goes_on = matches!(before, Before::Begun(_));
         let contents = match before {
@@ -170,7 +174,7 @@ impl Folder {
         // Last: it says that the experiment is complete.
         write_json(&self.file(id, ROWS), &self.run_file(plan, outcome)?)?;
         if !outcome.interrupted {
-            std::fs::remove_file(self.file(id, JOURNAL))?;
+            remove_file(&self.file(id, JOURNAL))?;
         }
         Ok(())
     }

@@ -29,7 +29,8 @@ impl Instruments {
     /// in the environment.
     ///
     /// # Errors
-    /// Usage, for a processor that the thread may not run on, and for a patience that is no number.
+    /// Usage, for a processor that the thread may not run on, and for a patience that is no number. A
+    /// clock that stands still.
     pub fn set_up(wanted: Pin) -> Result<(Self, Environment), Failure> {
         if let (Pin::Cpu(cpu), Ok(allowed)) = (wanted, allowed_cpus())
             && !allowed.contains(&cpu)
@@ -42,6 +43,7 @@ impl Instruments {
         let mut clock = WallClock::new();
         // Before the pinning, which would hide the other processors.
         let mut environment = Environment::capture(&mut clock);
+        clock_runs(&environment)?;
         let has = |(level, available): (&str, bool)| available.then(|| level.to_owned());
         environment.levels = levels().into_iter().filter_map(has).collect();
         let mut disturbance = InvoluntarySwitches;
@@ -115,6 +117,18 @@ impl Instruments {
             keep,
         }
     }
+}
+
+/// Refuses a clock that stands still: every calibration would look for blocks that are long enough
+/// until it gives up.
+fn clock_runs(environment: &Environment) -> Result<(), Failure> {
+    if environment.timer.resolution_ns.is_some() {
+        return Ok(());
+    }
+    Err(Failure::Runtime(anyhow::anyhow!(
+        "the clock of this system (CLOCK_MONOTONIC) stands still, so that nothing can be timed; \
+         what needs no clock can be run: `check`, `stability`, --shard"
+    )))
 }
 
 /// Environment variable that sets another patience.

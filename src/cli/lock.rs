@@ -29,7 +29,7 @@ pub fn take() -> Result<Lock, Failure> {
 
 fn take_file(path: &Path) -> Result<Lock, Failure> {
     let without = |error: &dyn std::fmt::Display| {
-        eprintln!(
+        say!(
             "note: {} cannot be locked ({error}): see to it yourself that nothing else measures; \
              {VARIABLE} names another file",
             path.display()

@@ -1,5 +1,8 @@
 //! The command line: one file per verb.
 
+#[macro_use]
+mod say;
+
 mod addresses;
 mod arguments;
 mod baseline;
@@ -55,13 +58,16 @@ use failure::Failure;
 /// Parses the arguments, runs the verb, and tells the exit code: 0 done, 1 failed at run time,
 /// 2 wrong usage, config or input, 3 a confirmed regression, 4 a wrong answer, 130 interrupted.
 pub fn main() -> ExitCode {
+    interrupt::let_writes_fail();
     let outcome = match arguments::parse() {
         Ok(arguments) => run(arguments),
         // Help and version are no failures; clap knows which stream they belong to.
         Err(error) => {
-            let code = if error.use_stderr() { 2 } else { 0 };
-            let _ = error.print();
-            return ExitCode::from(code);
+            let printed = error.print();
+            if error.use_stderr() {
+                return ExitCode::from(2);
+            }
+            printed.map_err(Failure::from)
         }
     };
     match outcome {

@@ -10,7 +10,10 @@ use crate::chart::{ChartError, Published, draw, placeholder};
 use crate::claims::{Ledger, judge, to_csv};
 use crate::report::{Report, ReportError, figure_csv};
 use crate::results::{Chapter, LoadError, ROWS, Results, Source, TABLE, derived, drawings, load};
-use crate::table::{Row, write_atomically, write_csv};
+use crate::table::{Row, make_folder, write_atomically, write_csv};
+
+/// What is made of all experiments of a folder: verdicts and report.
+pub const REPORTS: [&str; 3] = ["claims.csv", "report.md", "report.html"];
 
 /// What folders hold, with what follows from it: the mixture of return codes, behind their shares.
 ///
@@ -37,10 +40,11 @@ pub fn publish(results: &Results, out: &Path) -> Result<String, Failure> {
     draw_all(results, out)?;
     let rows: Vec<&Row> = results.rows().collect();
     let findings = judge(&Ledger::embedded()?, &rows);
-    write_atomically(&out.join("claims.csv"), &to_csv(&findings))?;
+    let [claims, markdown, html] = REPORTS.map(|name| out.join(name));
+    write_atomically(&claims, &to_csv(&findings))?;
     let report = Report::new(results, &findings, &known_variants())?;
-    write_atomically(&out.join("report.md"), report.markdown()?.as_bytes())?;
-    write_atomically(&out.join("report.html"), report.html()?.as_bytes())?;
+    write_atomically(&markdown, report.markdown()?.as_bytes())?;
+    write_atomically(&html, report.html()?.as_bytes())?;
     Ok(report.terminal())
 }
 
@@ -53,7 +57,7 @@ pub fn publish(results: &Results, out: &Path) -> Result<String, Failure> {
 pub fn draw_all(results: &Results, out: &Path) -> Result<(), Failure> {
     for chapter in &results.chapters {
         let folder = out.join(&chapter.about.id);
-        std::fs::create_dir_all(&folder)?;
+        make_folder(&folder)?;
         // Some follow from the rows of others: nobody has measured them.
         let is_derived = chapter.about.command.is_empty() && !folder.join(ROWS).exists();
         if is_derived || !folder.join(TABLE).exists() {
@@ -76,7 +80,7 @@ pub fn draw_chapter(chapter: &Chapter, sources: &[Source], to: &Path) -> Result<
         let file = |ending: &str| to.join(format!("{}.{ending}", drawing.file));
         match draw(&drawing.figure, drawing.rows, &published) {
             Err(error @ (ChartError::Ambiguous { .. } | ChartError::Wrong { .. })) => {
-                eprintln!("note: {}: {error}", chapter.about.id);
+                say!("note: {}: {error}", chapter.about.id);
                 let svg = placeholder(&drawing.figure, &error.to_string());
                 write_atomically(&file("svg"), svg.map_err(of_chart)?.as_bytes())?;
             }

@@ -20,7 +20,7 @@ pub fn read(folders: &[PathBuf]) -> Result<Results, Failure> {
     let folders: Vec<PathBuf> = folders.iter().chain(&newest).cloned().collect();
     read_folders(&folders).map_err(|error| {
         Failure::Usage(format!(
-            "--from: {error}; allowed: the folder of a run (`ray_test reproduce --out DIR`)"
+            "--from: {error} (`ray_test reproduce --out DIR` makes such a folder)"
         ))
     })
 }

@@ -209,7 +209,7 @@ fn announce(
             seconds += studio.tried(one, true)?;
         }
         if !one.shown.chosen.prepares_once() {
-            eprintln!(
+            say!(
                 "warning: {} prepares triangles anew for every test; its time says nothing",
                 one.shown.chosen.word
             );
@@ -217,7 +217,7 @@ fn announce(
     }
     let pixels = |stage: &Stage| stage.size().map(f64::from).iter().product::<f64>();
     let [columns, rows] = arguments.size;
-    eprintln!(
+    say!(
         "{}: {} triangles, {columns} x {rows} pixels, {} frames by {} kernels, about {:.0} s",
         arguments.model,
         stage.triangles.len(),

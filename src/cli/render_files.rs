@@ -1,6 +1,5 @@
 //! The files that `render` writes: whether they can be written is found out before anything runs.
 
-use std::fs::{self, OpenOptions};
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
@@ -8,7 +7,7 @@ use super::render::{Render, beside};
 use super::render_frames::Shown;
 use super::render_kernels::Chosen;
 use crate::render::Picture;
-use crate::table::write_atomically;
+use crate::table::{can_write, write_atomically};
 
 /// Where pictures go.
 pub struct Files {
@@ -32,7 +31,9 @@ pub fn check(arguments: &Render, chosen: &[Chosen]) -> Result<Files, Failure> {
         return Err(refused("a folder; allowed: a file".into()));
     }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    can_write(folder.unwrap_or(Path::new("."))).map_err(|error| refused(error.to_string()))?;
+    can_write(folder.unwrap_or(Path::new("."))).map_err(|error| {
+        refused(format!("{error}; allowed: a file in a folder that can be written"))
+    })?;
     let name = |one: &Chosen| match chosen.len() {
         1 => beside(path, "-compare"),
         // Ids have slashes.
@@ -40,13 +41,6 @@ pub fn check(arguments: &Render, chosen: &[Chosen]) -> Result<Files, Failure> {
     };
     let compared = chosen.iter().filter(|_| arguments.compare);
     Ok(Files { picture: path.clone(), differences: compared.map(name).collect() })
-}
-
-/// Finds out by a file that is removed at once.
-fn can_write(folder: &Path) -> std::io::Result<()> {
-    let probe = folder.join(format!(".ray_test-{}.partial", std::process::id()));
-    OpenOptions::new().write(true).create_new(true).open(&probe)?;
-    fs::remove_file(&probe)
 }
 
 impl Files {
@@ -70,6 +64,6 @@ impl Files {
 fn write(path: &Path, picture: &Picture) -> Result<(), Failure> {
     let bytes = picture.png().map_err(|error| Failure::Runtime(error.into()))?;
     write_atomically(path, &bytes)?;
-    eprintln!("{}", path.display());
+    say!("{}", path.display());
     Ok(())
 }

@@ -9,6 +9,7 @@ use super::failure::Failure;
 use super::publish::{publish, read};
 use super::stored;
 use crate::results::{ENVIRONMENT, JOURNAL, LoadError, ROWS, Results};
+use crate::table::try_folder;
 
 /// What is said below the options.
 pub const HELP: &str = "Examples:
@@ -39,9 +40,9 @@ pub fn run(arguments: &Report) -> Result<(), Failure> {
     let (out, is_own) = out(arguments)?;
     let results = read(&arguments.folders)?;
     say(&results);
-    std::fs::create_dir_all(&out).map_err(|error| {
+    try_folder(&out).map_err(|error| {
         Failure::Usage(format!(
-            "--out: {} cannot be made: {error}; allowed: a folder that can be made or written",
+            "--out: {} cannot be written: {error}; allowed: a folder that can be created or written",
             out.display()
         ))
     })?;
@@ -91,20 +92,18 @@ fn say(results: &Results) {
     for source in &results.sources {
         let folders = source.folders.join(", ");
         if source.environment.is_object() {
-            eprintln!("{}: {folders}", source.label);
+            say!("{}: {folders}", source.label);
         } else {
-            eprintln!("note: {}: {folders} without {ENVIRONMENT}", source.label);
+            say!("note: {}: {folders} without {ENVIRONMENT}", source.label);
         }
     }
     for chapter in &results.chapters {
         let id = &chapter.about.id;
         if !chapter.complete {
-            eprintln!(
-                "note: {id}: of an interrupted run, or a part is missing; shown is what it has"
-            );
+            say!("note: {id}: of an interrupted run, or a part is missing; shown is what it has");
         }
         if chapter.about.figures.is_empty() {
-            eprintln!("note: {id}: no experiment of that name is known; it has no figures");
+            say!("note: {id}: no experiment of that name is known; it has no figures");
         }
     }
 }

@@ -20,7 +20,7 @@ use crate::plan::{Asking, Outcome, Output, Report, Task, Use, Wanted};
 use crate::scene::mesh::Mesh;
 use crate::scene::open;
 use crate::scene::rays::Asked;
-use crate::table::{RunFile, SCHEMA_VERSION, write_atomically, write_csv, write_json};
+use crate::table::{RunFile, SCHEMA_VERSION, make_folder, write_atomically, write_csv, write_json};
 use crate::workload::Triangle;
 use crate::workload::hash::Fnv;
 
@@ -107,7 +107,7 @@ pub fn run(arguments: &Scene) -> Result<(), Failure> {
     folder.create()?;
     let path = folder.path().join(EXPERIMENT);
     let rounds = arguments.profile.value().rounds();
-    eprintln!("{}; results in {}", about(&mesh, &task, rounds), path.display());
+    say!("{}; results in {}", about(&mesh, &task, rounds), path.display());
     let cancel = interrupt::flag();
     let bar = progress::bar(task.blocks(rounds));
     let mut done = |blocks: usize| bar.inc(blocks as u64);
@@ -116,19 +116,27 @@ pub fn run(arguments: &Scene) -> Result<(), Failure> {
         .run(&mut instruments.bench(rounds, &mut done, cancel, keep))
         .map_err(|trouble| Failure::Runtime(trouble.into()))?;
     bar.finish_and_clear();
-    save(&path, environment, &outcome, arguments.seed)?;
-    match &outcome.found {
-        Some(found) => print(&found.report, arguments.format, || scene_text::text(found)),
-        None if cancel.load(Ordering::Relaxed) => {
-            eprintln!("what was measured is saved in {}", path.display());
-            Err(Failure::Interrupted)
-        }
-        None => Err(Failure::Runtime(anyhow::anyhow!(
-            "{}: the default variant could not be timed on a sample of it; {} says why",
-            mesh.name,
-            path.join("rows.csv").display()
-        ))),
+    let saved = save(&path, environment, &outcome, arguments.seed);
+    if let Some(found) = &outcome.found {
+        // Shown even where it cannot be saved: to find it out took its time.
+        let printed = print(&found.report, arguments.format, || scene_text::text(found));
+        return saved.and(printed);
     }
+    saved?;
+    Err(without_plan(cancel.load(Ordering::Relaxed), &mesh, &path))
+}
+
+/// Why there is no plan.
+fn without_plan(is_interrupted: bool, mesh: &Mesh, path: &Path) -> Failure {
+    if is_interrupted {
+        say!("what was measured is saved in {}", path.display());
+        return Failure::Interrupted;
+    }
+    Failure::Runtime(anyhow::anyhow!(
+        "{}: the default variant could not be timed on a sample of it; {} says why",
+        mesh.name,
+        path.join("rows.csv").display()
+    ))
 }
 
 /// The folder and the experiment of the rows.
@@ -183,7 +191,7 @@ fn save(
     outcome: &Outcome,
     seed: u64,
 ) -> Result<(), Failure> {
-    std::fs::create_dir_all(path)?;
+    make_folder(path)?;
     write_csv(&path.join("rows.csv"), &outcome.rows)?;
     if let Some(found) = &outcome.found {
         write_atomically(&path.join("plan.json"), json_of(&found.report)?.as_bytes())?;

@@ -44,10 +44,10 @@ pub fn clock_free(plans: Vec<Plan>) -> Result<Vec<Plan>, Failure> {
         )));
     }
     if !timed.is_empty() {
-        eprintln!("left out, since only what needs no clock is shared out: {}", names(&timed));
+        say!("left out, since only what needs no clock is shared out: {}", names(&timed));
     }
     if !half.is_empty() {
-        eprintln!("left out of these: their times, as well: {}", names(&half));
+        say!("left out of these: their times, as well: {}", names(&half));
     }
     Ok(plans.into_iter().filter(|plan| kind(plan).0).collect())
 }
@@ -65,7 +65,7 @@ pub fn carry_out(
 ) -> Result<(), Failure> {
     let before = folder.open(plans, batch.resume)?;
     let shard = batch.shard.unwrap_or_default();
-    eprintln!(
+    say!(
         "part {shard} of {} experiments, about {} s; results in {}",
         plans.len(),
         seconds_of_all(plans, sweep, batch.profile.value(), Some(shard)).ceil(),
@@ -76,7 +76,7 @@ pub fn carry_out(
     for (plan, before) in plans.iter().zip(before) {
         let id = &plan.experiment.id;
         if matches!(before, Before::Finished(_)) {
-            eprintln!("{id}: finished before");
+            say!("{id}: finished before");
             continue;
         }
         if cancel.load(Ordering::Relaxed) {

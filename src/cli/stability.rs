@@ -83,7 +83,7 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
     let folder = arguments.shard.into_iter().fold(folder, Folder::of_shard);
     folder.create()?;
     let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
-    eprintln!(
+    say!(
         "{} families, {} forms of kernels{}, about {:.0} s on {processors} processors; results in {}",
         sweep.families.len(),
         sweep.forms.len(),
@@ -93,7 +93,7 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
     );
     let outcome = sweep_into(&folder, &sweep)?;
     if outcome.complete && !folder.is_of_shard() {
-        eprintln!("{} figures", draw(&folder, &outcome)?);
+        say!("{} figures", draw(&folder, &outcome)?);
     }
     match arguments.format {
         Format::Text => write!(std::io::stdout(), "{}", stability_tables::text(&outcome.rows))?,
@@ -103,7 +103,7 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
         writeln!(std::io::stdout(), "{}", folder.path().display())?;
     }
     if !outcome.complete {
-        eprintln!("what was done is saved in {}", folder.path().display());
+        say!("what was done is saved in {}", folder.path().display());
         return Err(Failure::Interrupted);
     }
     Ok(())

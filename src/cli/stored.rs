@@ -10,7 +10,9 @@ use crate::results::{
 };
 use crate::shard::Shard;
 use crate::stability::EXPERIMENT as STABILITY;
-use crate::table::{Row, RunFile, SCHEMA_VERSION, write_atomically, write_csv, write_json};
+use crate::table::{
+    Row, RunFile, SCHEMA_VERSION, make_folder, write_atomically, write_csv, write_json,
+};
 use crate::workload::hash::Fnv;
 
 /// Says which share of the work a file of rows holds, and where they stand in the whole.
@@ -43,11 +45,11 @@ pub fn write(results: &Results, out: &Path) -> Result<(), Failure> {
     let environment = environment(results);
     let text = serde_json::to_vec_pretty(&environment);
     let text = text.map_err(|error| Failure::Runtime(error.into()))?;
-    std::fs::create_dir_all(out)?;
+    make_folder(out)?;
     write_atomically(&out.join(ENVIRONMENT), &text)?;
     for chapter in &results.chapters {
         let folder = out.join(&chapter.about.id);
-        std::fs::create_dir_all(&folder)?;
+        make_folder(&folder)?;
         write_csv(&folder.join(TABLE), &chapter.rows)?;
         write_json(&folder.join(ROWS), &run_file(chapter, &environment))?;
         if let Some(text) = description(results, &chapter.about.id) {

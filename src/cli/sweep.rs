@@ -13,7 +13,7 @@ use crate::results::{About, Chapter, ROWS, TABLE};
 use crate::shard::Shard;
 use crate::spread::Watch;
 use crate::stability::{Depth, EXPERIMENT, Form, Outcome, Sweep, families, forms};
-use crate::table::{RunFile, SCHEMA_VERSION, write_csv, write_json};
+use crate::table::{RunFile, SCHEMA_VERSION, make_folder, write_csv, write_json};
 
 /// The sweep of a run of that profile, over the forms that a filter lets through; `None` if it lets
 /// none through.
@@ -60,7 +60,7 @@ pub fn sweep_into(folder: &Folder, sweep: &Sweep) -> Result<Outcome, Failure> {
     bar.finish_and_clear();
     save(folder, &outcome, sweep)?;
     let seconds = start.elapsed().as_secs_f64();
-    eprintln!("{EXPERIMENT}: {} rows, {seconds:.1} s", outcome.rows.len());
+    say!("{EXPERIMENT}: {} rows, {seconds:.1} s", outcome.rows.len());
     Ok(outcome)
 }
 
@@ -71,7 +71,7 @@ pub fn sweep_into(folder: &Folder, sweep: &Sweep) -> Result<Outcome, Failure> {
 /// When a file cannot be written, or what is there is of another sweep.
 pub fn sweep_once(folder: &Folder, sweep: &Sweep, resume: bool) -> Result<bool, Failure> {
     if resume && folder.finished(EXPERIMENT, &text_of(sweep))?.is_some() {
-        eprintln!("{EXPERIMENT}: finished before");
+        say!("{EXPERIMENT}: finished before");
         return Ok(true);
     }
     Ok(sweep_into(folder, sweep)?.complete)
@@ -91,7 +91,7 @@ pub fn draw(folder: &Folder, outcome: &Outcome) -> Result<usize, Failure> {
 /// Writes the rows.
 fn save(folder: &Folder, outcome: &Outcome, sweep: &Sweep) -> Result<(), Failure> {
     let path = folder.path().join(EXPERIMENT);
-    std::fs::create_dir_all(&path)?;
+    make_folder(&path)?;
     write_csv(&path.join(TABLE), &outcome.rows)?;
     let environment = folder.circumstances(&text_of(sweep), outcome.complete, &outcome.places)?;
     let run = RunFile {

@@ -60,7 +60,7 @@ pub fn run(arguments: &Thesis) -> Result<(), Failure> {
 
 fn warn_of_prediction(order: Order, scene: &Scene, kernels: usize) {
     if order == Order::Fixed && beyond_prediction(scene, kernels) {
-        eprintln!("warning: {kernels} kernels x {} pairs {BEYOND}", scene.rays.len());
+        say!("warning: {kernels} kernels x {} pairs {BEYOND}", scene.rays.len());
     }
 }
 
@@ -72,7 +72,7 @@ fn densities(word: Option<&str>) -> Vec<f64> {
         Some(word) => match word.parse::<f64>() {
             Ok(density) if (0.0..=1.0).contains(&density) => vec![density],
             _ => {
-                eprintln!(
+                say!(
                     "warning: DENSITY: '{word}' is no number in [0, 1]; running the sweep \
                      0, 0.25, 0.5, 0.75, 1 (`all` asks for it)"
                 );

@@ -7,7 +7,7 @@ use super::{About, LoadError, Results};
 use crate::table::{Row, RunFile, read_journal, read_json};
 use serde_json::Value;
 use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Tells what an experiment asks, from its id and from its text where that was stored; `None` if
 /// nobody knows.
@@ -89,9 +89,13 @@ fn part(
         .map(|journal| journal.pieces.into_iter().flat_map(|(_, rows)| rows).collect());
     let text = optional(&experiment.join(DESCRIPTION))?;
     let text = text.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let id = id(experiment, finished.as_ref(), begun.as_deref());
+    if !names_a_folder(&id) {
+        return Err(LoadError::Name { file: experiment.to_owned(), id });
+    }
     let part = Part {
         folder: folder.display().to_string(),
-        experiment: id(experiment, finished.as_ref(), begun.as_deref()),
+        experiment: id,
         text,
         ..of_rows(finished, begun, environment)
     };
@@ -106,6 +110,13 @@ fn id(folder: &Path, finished: Option<&RunFile>, begun: Option<&[Row]>) -> Strin
     let path = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
     named.map(str::to_owned).or(name).unwrap_or_default()
+}
+
+/// Whether an id names a folder of its own below another one: whatever is made of the experiment goes
+/// there, and nowhere else.
+fn names_a_folder(id: &str) -> bool {
+    let mut parts = Path::new(id).components();
+    matches!((parts.next(), parts.next()), (Some(Component::Normal(name)), None) if name == id)
 }
 
 /// Rows of a file, of a journal, or of both: an interrupted run saves its file and keeps its

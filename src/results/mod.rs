@@ -137,6 +137,17 @@ pub enum LoadError {
         /// What the parser says, with the place.
         message: String,
     },
+    /// Rows name an experiment whose folder would be elsewhere.
+    #[error(
+        "{}: column 'experiment': '{id}' is not allowed; allowed: the name of a folder, without '/'",
+        file.display()
+    )]
+    Name {
+        /// The folder of the rows.
+        file: PathBuf,
+        /// What they say.
+        id: String,
+    },
     /// A folder holds no results.
     #[error(
         "{}: no rows.json or rows.ndjson in it or in a folder of it; \

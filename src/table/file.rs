@@ -47,6 +47,46 @@ pub fn remove_partial_files(folder: &Path) {
     }
 }
 
+/// Makes a folder, and those above it, unless they are there.
+///
+/// # Errors
+/// When it cannot be made.
+pub fn make_folder(path: &Path) -> Result<(), TableError> {
+    fs::create_dir_all(path).map_err(|source| TableError::Io { file: path.to_owned(), source })
+}
+
+/// Removes a file.
+///
+/// # Errors
+/// When it is not there or cannot be removed.
+pub fn remove_file(path: &Path) -> Result<(), TableError> {
+    fs::remove_file(path).map_err(|source| TableError::Io { file: path.to_owned(), source })
+}
+
+/// Makes a folder unless it is there, and finds out whether it can be written.
+///
+/// # Errors
+/// What the system says; or that there is something else of that name.
+pub fn try_folder(path: &Path) -> io::Result<()> {
+    // The system would say that it exists, which is what was asked for.
+    if !path.is_dir() && path.symlink_metadata().is_ok() {
+        let words = "there is something of that name that is no folder";
+        return Err(io::Error::new(io::ErrorKind::NotADirectory, words));
+    }
+    fs::create_dir_all(path)?;
+    can_write(path)
+}
+
+/// Whether a folder can be written: found out by a file that is removed at once.
+///
+/// # Errors
+/// What the system says.
+pub fn can_write(folder: &Path) -> io::Result<()> {
+    let probe = temporary_name(&folder.join("probe"))?;
+    OpenOptions::new().write(true).create_new(true).open(&probe)?;
+    fs::remove_file(&probe)
+}
+
 fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
     file.write_all(bytes)?;

@@ -23,7 +23,9 @@ mod tests;
 pub use self::csv::{csv_bytes, read_csv, write_csv};
 pub use cell::Cell;
 pub use clock::CLOCK_COLUMNS;
-pub use file::{remove_partial_files, write_atomically};
+pub use file::{
+    can_write, make_folder, remove_file, remove_partial_files, try_folder, write_atomically,
+};
 pub use interval::{has_interval, interval};
 pub use journal::{Header, Journal, Journaled, read_journal};
 pub use json::{RunFile, SCHEMA_VERSION, read_json, write_json};

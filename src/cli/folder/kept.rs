@@ -1,5 +1,6 @@
 //! What a folder keeps of an experiment, and by what it is known to be of the same run.
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use serde_json::{Value, json};
@@ -10,7 +11,7 @@ use crate::cli::stored::put_shard;
 use crate::experiment::Plan;
 use crate::measure::BuildInfo;
 use crate::results::{COMPLETE, JOURNAL, ROWS};
-use crate::table::{Journaled, RunFile, RunKey, read_journal, read_json};
+use crate::table::{Journaled, RunFile, RunKey, TableError, read_journal, read_json};
 use crate::workload::hash::Fnv;
 
 /// What there is of an experiment before it runs.
@@ -54,10 +55,23 @@ impl Folder {
     /// The rows of an experiment that was finished here, by its id and text.
     ///
     /// # Errors
-    /// Usage, if it was run with another configuration, program or machine.
+    /// Usage, if it was run with another configuration, program or machine, or if its rows cannot
+    /// be read.
     pub fn finished(&self, id: &str, text: &str) -> Result<Option<RunFile>, Failure> {
         let file = self.file(id, ROWS);
-        let Ok(run) = read_json(&file) else { return Ok(None) };
+        let run = match read_json(&file) {
+            Ok(run) => run,
+            Err(TableError::Io { source, .. }) if source.kind() == ErrorKind::NotFound => {
+                return Ok(None);
+            }
+            // Of a newer program, say: nobody wants it overwritten unasked.
+            Err(error) => {
+                return Err(Failure::Usage(format!(
+                    "--resume: {error}; allowed: what this program wrote (without this file the \
+                     experiment is measured anew), or another --out"
+                )));
+            }
+        };
         let key = run.environment.get(RUN_KEY).cloned();
         let key = key.and_then(|key| serde_json::from_value(key).ok()).unwrap_or_default();
         self.refuse_others(&file, &key, text)?;

@@ -86,6 +86,10 @@ fn what_cannot_be_read_is_named_with_what_is_allowed() {
     fs::write(&file, text.replace("\"ns_per_test\":2.0", "\"ns_per_test\":\"two\"")).expect("ours");
     place.run("environment", &environment("P", "3"), "b-4.2", &[], ended());
     write(&place.0.join("environment/environment.json"), "{\n oops");
+    for (run, id) in [("above", "../../evil"), ("root", "/evil"), ("below", "a/b"), ("here", ".")] {
+        let row = Row { experiment: id.into(), ..timed("a", 0.0, 2.0) };
+        place.run(run, &environment("P", "3"), "b-4.2", &[row], ended());
+    }
     for (run, words) in [
         ("missing", &["missing"][..]),
         ("nothing", &["nothing", "rows.json"]),
@@ -93,6 +97,11 @@ fn what_cannot_be_read_is_named_with_what_is_allowed() {
         ("journal", &["rows.ndjson", "line 1"]),
         ("cell", &["rows.json", "row 1", "ns_per_test", "two"]),
         ("environment", &["environment.json", "line 2"]),
+        // What is made of them would go elsewhere.
+        ("above", &["b-4.2", "experiment", "'../../evil'"]),
+        ("root", &["b-4.2", "experiment", "'/evil'"]),
+        ("below", &["b-4.2", "experiment", "'a/b'"]),
+        ("here", &["b-4.2", "experiment", "'.'"]),
     ] {
         let error = place.load(&[run]).map(|_| ()).expect_err(run);
         let message = error.to_string();

@@ -10,6 +10,9 @@ use tobj::{LoadError, LoadOptions};
 const OPTIONS: LoadOptions =
     LoadOptions { single_index: true, triangulate: true, ignore_points: true, ignore_lines: true };
 
+/// What some editors write in front of a text in UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// Whether some line of a text begins as a vertex does.
 pub(super) fn has_a_vertex(text: &[u8]) -> bool {
     text.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"v "))
@@ -17,6 +20,8 @@ pub(super) fn has_a_vertex(text: &[u8]) -> bool {
 
 /// The mesh of all objects and groups in the file.
 pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Mesh, ReadError> {
+    // With it the first vertex would not be one, and all faces would count from the second.
+    let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
     // The loader tells of an index that is too large when all the rest is built.
     let looked = Sieve::new(bytes).look();
     if looked.refused.is_some() || looked.largest.0 > looked.vertices as i64 {

@@ -15,6 +15,15 @@ fn every_format_holds_the_same_mesh() {
 }
 
 #[test]
+fn a_byte_order_mark_takes_no_vertex_away() {
+    let text = obj_text();
+    let text = &text[text.find("v ").expect("a vertex")..];
+    let mesh = read("a.obj", format!("\u{feff}{text}").into_bytes()).expect("a mesh");
+    let plain = read("a.obj", text.into()).expect("a mesh");
+    assert_eq!((mesh.vertices.len(), places(&mesh)), (4, places(&plain)));
+}
+
+#[test]
 fn the_content_tells_the_format_where_the_ending_does_not() {
     for (file, bytes) in files() {
         for other in ["model", "model.dat", "model.obj"] {
