@@ -13,6 +13,8 @@ mod compare;
 mod comparison;
 mod describe;
 mod doctor;
+#[doc(hidden)]
+pub mod doors;
 mod estimate;
 mod failure;
 mod folder;
@@ -44,6 +46,7 @@ mod stability_tables;
 mod stored;
 mod sweep;
 mod thesis;
+mod thesis_asked;
 mod unfinished;
 mod words;
 
@@ -55,7 +58,7 @@ use failure::Failure;
 /// Parses the arguments, runs the verb, and tells the exit code: 0 done, 1 failed at run time,
 /// 2 wrong usage, config or input, 3 a confirmed regression, 4 a wrong answer, 130 interrupted.
 pub fn main() -> ExitCode {
-    let outcome = match arguments::parse() {
+    let outcome = match arguments::parse(std::env::args_os()) {
         Ok(arguments) => run(arguments),
         // Help and version are no failures; clap knows which stream they belong to.
         Err(error) => {

@@ -80,7 +80,7 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
 /// The library is built a second time for its own tests, which need a form of each kind; those in
 /// `tests` are built with all forms, and hold every one of them to the laws. Half of a build saved.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-const EVERY_LEVEL: bool = cfg!(not(test));
+const EVERY_LEVEL: bool = cfg!(not(any(test, fuzzing)));
 
 /// The levels and the numbers that each of them has natively.
 #[cfg(target_arch = "aarch64")]

@@ -30,13 +30,13 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
     use registers::{Eight, EightDoubles, Sixteen};
 
     full::<K, Twice<Sixteen>, Avx512>(v);
-    if cfg!(not(test)) {
+    if cfg!(not(any(test, fuzzing))) {
         full::<K, Twice<Eight>, Avx2>(v);
     }
-    if K::GROUPS && cfg!(not(test)) {
+    if K::GROUPS && cfg!(not(any(test, fuzzing))) {
         full::<K, Twice<EightDoubles>, Avx512>(v);
     }
-    if K::LAYOUTS && cfg!(not(test)) {
+    if K::LAYOUTS && cfg!(not(any(test, fuzzing))) {
         full::<K, Twice<Twice<Eight>>, Avx2>(v);
         full::<K, Twice<Twice<Sixteen>>, Avx512>(v);
     }

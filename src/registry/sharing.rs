@@ -38,7 +38,7 @@ fn lengths<K: Offers + Shares<C>, C: Common>(v: &mut Vec<Variant>) {
     use registers::{Eight, Sixteen};
 
     form::<K, C, Full, Sixteen, Sixteen, Avx512, 16>(v);
-    if cfg!(not(test)) {
+    if cfg!(not(any(test, fuzzing))) {
         form::<K, C, Full, Eight, Eight, Avx2, 8>(v);
         form::<K, C, Full, Twice<Eight>, Eight, Avx2, 8>(v);
         form::<K, C, Full, Twice<Sixteen>, Sixteen, Avx512, 16>(v);

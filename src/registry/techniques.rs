@@ -41,7 +41,7 @@ fn kernel<K: Offers>(v: &mut Vec<Variant>) {
         signs::<K, Avx2, First, K::Native>(v);
     }
     once::<K, Sixteen, Avx512, Fused>(v);
-    if cfg!(not(test)) {
+    if cfg!(not(any(test, fuzzing))) {
         estimates::<K, Eight, Avx2>(v);
         once::<K, Eight, Avx2, Fused>(v);
     }

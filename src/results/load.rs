@@ -7,7 +7,7 @@ use super::{About, LoadError, Results};
 use crate::table::{Row, RunFile, read_journal, read_json};
 use serde_json::Value;
 use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Tells what an experiment asks, from its id and from its text where that was stored; `None` if
 /// nobody knows.
@@ -91,7 +91,7 @@ fn part(
     let text = text.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let part = Part {
         folder: folder.display().to_string(),
-        experiment: id(experiment, finished.as_ref(), begun.as_deref()),
+        experiment: id(experiment, finished.as_ref(), begun.as_deref())?,
         text,
         ..of_rows(finished, begun, environment)
     };
@@ -99,14 +99,34 @@ fn part(
 }
 
 /// The experiment that rows are of: what they say, or the name of their folder.
-fn id(folder: &Path, finished: Option<&RunFile>, begun: Option<&[Row]>) -> String {
+fn id(
+    folder: &Path,
+    finished: Option<&RunFile>,
+    begun: Option<&[Row]>,
+) -> Result<String, LoadError> {
     let rows = finished.map(|run| run.rows.as_slice()).into_iter().chain(begun).flatten();
     let named = rows.map(|row| row.experiment.as_str()).find(|id| !id.is_empty());
     // Without a name of its own, as `.`, the folder has one all the same.
     let path = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
-    named.map(str::to_owned).or(name).unwrap_or_default()
+    match named {
+        Some(id) if !is_a_name(id) => {
+            Err(LoadError::Id { file: folder.to_owned(), id: id.to_owned() })
+        }
+        named => Ok(named.map(str::to_owned).or(name).unwrap_or_default()),
+    }
 }
+
+/// Whether an id is one of the names that a folder below another can have: what is made of the rows is
+/// written into one of that name.
+fn is_a_name(id: &str) -> bool {
+    let mut parts = Path::new(id).components();
+    let is_one = matches!(parts.next(), Some(Component::Normal(part)) if part == id);
+    is_one && id.len() <= MOST_BYTES && !id.contains(|c: char| c == '\\' || c.is_control())
+}
+
+/// The names of folders are no longer than this anywhere.
+const MOST_BYTES: usize = 255;
 
 /// Rows of a file, of a journal, or of both: an interrupted run saves its file and keeps its
 /// journal, and what goes on with it adds to the journal alone. The one that has more counts.

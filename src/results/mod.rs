@@ -137,6 +137,18 @@ pub enum LoadError {
         /// What the parser says, with the place.
         message: String,
     },
+    /// Rows name an experiment by what is no name, so that its folder could be anywhere.
+    #[error(
+        "{}: column 'experiment': {id:?} is not allowed; allowed: a name that a folder can have, \
+         without '/', '\\' and control characters",
+        file.display()
+    )]
+    Id {
+        /// The folder of the rows.
+        file: PathBuf,
+        /// What they say.
+        id: String,
+    },
     /// A folder holds no results.
     #[error(
         "{}: no rows.json or rows.ndjson in it or in a folder of it; \
