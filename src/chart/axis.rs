@@ -35,6 +35,7 @@ impl Axis {
             return None;
         }
         let (low, high) = range(&positive);
+        let (low, high) = (low.max(LEAST), high.max(LEAST));
         // A margin keeps markers off the frame, and the ends apart where all values are equal.
         Some(Axis { low: low / 1.15, high: high * 1.15, log: true })
     }
@@ -43,7 +44,8 @@ impl Axis {
     pub fn exact(values: &[f64]) -> Self {
         let (low, high) = range(values);
         if low == high {
-            Axis { low: low - 0.5, high: high + 0.5, log: false }
+            let half = 0.5f64.max(low.abs() / 100.0);
+            Axis { low: low - half, high: high + half, log: false }
         } else {
             Axis { low, high, log: false }
         }
@@ -130,8 +132,14 @@ fn power(digit: u32, decade: i32) -> f64 {
     format!("{digit}e{decade}").parse().unwrap_or(f64::NAN)
 }
 
+/// Beyond these an axis has no place of its own: spreads and margins must be numbers as well.
+const MOST: f64 = 1e300;
+/// Likewise, of logarithmic ones.
+const LEAST: f64 = 1e-300;
+
 fn range(values: &[f64]) -> (f64, f64) {
     let finite = values.iter().copied().filter(|value| value.is_finite());
+    let finite = finite.map(|value| value.clamp(-MOST, MOST));
     let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
     });
@@ -144,4 +152,29 @@ fn step(spread: f64, ticks: usize) -> f64 {
     let decade = raw.log10().floor() as i32;
     let steps = [power(1, decade), power(2, decade), power(5, decade), power(1, decade + 1)];
     steps.into_iter().find(|step| *step >= raw * (1.0 - 1e-9)).unwrap_or(raw)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_finite_value_has_a_place_and_ticks_are_few() {
+        let ends = [0.0, 1.0, -1.0, 5e-324, 1e-300, 1e300, f64::MAX, f64::MIN, 1e16, 1e16 + 2.0];
+        for low in ends {
+            for high in ends {
+                let values = [low, high];
+                let linear = [Axis::from_zero, Axis::fitted].map(|axis| axis(&values, 5));
+                let all =
+                    linear.into_iter().chain([Axis::exact(&values)]).chain(Axis::log(&values));
+                for axis in all {
+                    let places = values.map(|value| axis.place(value));
+                    assert!(places.iter().all(|place| (0.0..=1.0).contains(place)), "{axis:?}");
+                    let ticks = axis.ticks(5);
+                    assert!(ticks.len() < 40, "{axis:?}: {ticks:?}");
+                    assert!(ticks.iter().all(|(tick, _)| tick.is_finite()), "{axis:?}: {ticks:?}");
+                }
+            }
+        }
+    }
 }

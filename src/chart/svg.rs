@@ -157,7 +157,15 @@ pub(super) fn described(drawn: &str, file: &str, title: &str, description: &str)
         escape(title),
         escape(description)
     );
-    drawn.replacen("<svg ", &head, 1).replacen('>', &inner, 1)
+    only_xml(&drawn.replacen("<svg ", &head, 1).replacen('>', &inner, 1))
+}
+
+/// The picture with a mark for each character that XML has no place for, not even escaped: names come from
+/// files, and one of them must not make the whole picture unreadable.
+fn only_xml(drawn: &str) -> String {
+    let has_a_place =
+        |c: char| !(c.is_control() || "\u{fffe}\u{ffff}".contains(c)) || "\t\n\r".contains(c);
+    drawn.chars().map(|c| if has_a_place(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()
 }
 
 fn escape(text: &str) -> String {
@@ -181,6 +189,17 @@ mod tests {
         "<text x=\"5\" y=\"9\" dy=\"0.76em\" text-anchor=\"end\" font-family=\"A, B\" font-size=\"120\" ",
         "opacity=\"1\" fill=\"#444444\">\nc\n</text>\n</svg>\n",
     );
+
+    #[test]
+    fn what_xml_has_no_place_for_is_marked() {
+        let drawn =
+            described("<svg x=\"1\">\na\u{0}b\u{1b}c\u{fffe}\n</svg>", "f", "t\u{7}", "d\td");
+        let texts = "<title id=\"f-title\">t\u{fffd}</title>\n<desc id=\"f-desc\">d\td</desc>";
+        assert!(
+            drawn.ends_with(&format!("{texts}\na\u{fffd}b\u{fffd}c\u{fffd}\n</svg>")),
+            "{drawn}"
+        );
+    }
 
     /// Lines of one look become a path, unless they are not opaque; what goes without saying goes.
     #[test]

@@ -1,5 +1,6 @@
 //! What may stand on the command line.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
@@ -192,10 +193,10 @@ pub struct Doctor {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
     /// Comparisons of the self-test, a third in each order
-    #[arg(long, default_value_t = 3000, hide = true)]
+    #[arg(long, default_value_t = 3000, hide = true, value_parser = few)]
     pub comparisons: u64,
     /// Slow-downs of the self-test
-    #[arg(long, default_value_t = 100, hide = true)]
+    #[arg(long, default_value_t = 100, hide = true, value_parser = few)]
     pub trials: u64,
     /// Their size, percent
     #[arg(long, default_value_t = 2.0, hide = true)]
@@ -203,6 +204,13 @@ pub struct Doctor {
     /// Time the exact answers alone, and examine nothing else
     #[arg(long, hide = true)]
     pub oracle: bool,
+}
+
+/// Comparisons that can be waited for, and counted together.
+fn few(text: &str) -> Result<u64, String> {
+    const MOST: u64 = 1_000_000;
+    let number = text.parse().ok().filter(|number| *number <= MOST);
+    number.ok_or_else(|| format!("allowed: a number from 0 to {MOST}"))
 }
 
 /// `ray_test list`
@@ -275,12 +283,12 @@ words! {
     }
 }
 
-/// Parses the process's arguments.
+/// Parses arguments, the first of which is the name of the program.
 ///
 /// # Errors
 /// clap's, with its own message; help and version come as errors that are none.
-pub fn parse() -> Result<Arguments, clap::Error> {
-    let arguments = Arguments::try_parse()?;
+pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
+    let arguments = Arguments::try_parse_from(words)?;
     if arguments.verb.is_none()
         && let Some(word) = &arguments.thesis.density
         && let Some(message) = slip(word)

@@ -98,12 +98,20 @@ fn carry_out(sources: Vec<Source>, batch: &Batch, with_stiff: bool) -> Result<()
     batch.baselines.finish(ended, folder.path(), &experiments)
 }
 
-fn filter(batch: &Batch) -> Result<Option<Regex>, Failure> {
+/// The regular expression of `--filter`.
+///
+/// # Errors
+/// Usage where it is none.
+pub fn filter(batch: &Batch) -> Result<Option<Regex>, Failure> {
     let filter = batch.filter.as_deref().map(pattern_of).transpose();
     filter.map_err(|error| Failure::Usage(format!("--filter: {error}")))
 }
 
-fn plans(sources: &[Source], filter: Option<&Regex>) -> Result<Vec<Plan>, Failure> {
+/// What the experiments of files will do; those of other builds are left out, and named.
+///
+/// # Errors
+/// What cannot be read, or chooses what there is not.
+pub fn plans(sources: &[Source], filter: Option<&Regex>) -> Result<Vec<Plan>, Failure> {
     let mut plans: Vec<Plan> = Vec::new();
     for (origin, experiment) in here(sources)? {
         let plan = Plan::new(origin, experiment, filter)?;

@@ -1,7 +1,7 @@
 //! `ray_test check`: cases of one's own through every kernel, against the exact answer.
 
 use std::fs::File;
-use std::io::{BufRead, BufReader, IsTerminal};
+use std::io::{BufRead, BufReader, IsTerminal, stdout};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 
@@ -89,7 +89,7 @@ pub fn run(arguments: &Check) -> Result<(), Failure> {
     let precision = arguments.precision.map(PrecisionWord::value);
     let chosen = chosen(arguments.kernels.as_deref(), precision)?;
     let cases = Cases::new(open(&arguments.file)?, &name(&arguments.file));
-    let mut printer = Printer::new(arguments.format);
+    let mut printer = Printer::new(arguments.format, Box::new(stdout()));
     let read = match &arguments.answers {
         None => ask(cases, &chosen, &mut printer),
         Some(file) => {
@@ -108,7 +108,10 @@ pub fn run(arguments: &Check) -> Result<(), Failure> {
 }
 
 /// Every chosen form on every case.
-fn ask(
+///
+/// # Errors
+/// What is wrong with a case, and where.
+pub fn ask(
     mut cases: Cases<impl BufRead>,
     chosen: &[Chosen],
     printer: &mut Printer,
@@ -131,7 +134,10 @@ fn ask(
 }
 
 /// Every answer against its case.
-fn judge(
+///
+/// # Errors
+/// What is wrong with a case or an answer, and where.
+pub fn judge(
     mut answered: Answered<impl BufRead, impl BufRead>,
     precision: Precision,
     printer: &mut Printer,
@@ -153,7 +159,7 @@ struct Turns {
 
 impl Turns {
     fn new() -> Self {
-        Turns { cancel: interrupt::flag(), is_watched: std::io::stdout().is_terminal() }
+        Turns { cancel: interrupt::flag(), is_watched: stdout().is_terminal() }
     }
 
     /// The next case, unless interrupted. Who watches sees the rows of one before the next.

@@ -1,7 +1,7 @@
 //! Rows of `check` on stdout, one at a time: to read, as CSV, as a JSON array.
 
 use std::fmt::Write as _;
-use std::io::{self, BufWriter, Stdout, Write};
+use std::io::{self, BufWriter, Write};
 
 use super::arguments::Format;
 use super::check_summary::Summary;
@@ -67,7 +67,7 @@ enum Value<'a> {
 
 /// Prints rows as they come; what stands around them with the first and at the end.
 pub struct Printer {
-    out: BufWriter<Stdout>,
+    out: BufWriter<Box<dyn Write>>,
     format: Format,
     rows: u64,
     summary: Summary,
@@ -77,8 +77,8 @@ pub struct Printer {
 
 impl Printer {
     /// Nothing is printed yet.
-    pub fn new(format: Format) -> Self {
-        let out = BufWriter::with_capacity(1 << 16, io::stdout());
+    pub fn new(format: Format, out: Box<dyn Write>) -> Self {
+        let out = BufWriter::with_capacity(1 << 16, out);
         Printer { out, format, rows: 0, summary: Summary::default(), line: String::new() }
     }
 

@@ -25,13 +25,7 @@ type Facts = Vec<(String, Value)>;
 
 /// Examines the machine, and with `--self-test` the verdicts.
 pub fn run(arguments: &Doctor) -> Result<(), Failure> {
-    let share = arguments.inject / 100.0;
-    if !(share > 0.0 && share < 1.0) {
-        return Err(Failure::Usage(format!(
-            "--inject: {} is not allowed; allowed: above 0, below 100 (percent)",
-            arguments.inject
-        )));
-    }
+    let share = injected_share(arguments)?;
     let _lock = lock::take()?;
     let (mut instruments, environment) = Instruments::set_up(arguments.pin)?;
     if arguments.oracle {
@@ -66,6 +60,21 @@ pub fn run(arguments: &Doctor) -> Result<(), Failure> {
         return Err(Failure::Interrupted);
     }
     Ok(())
+}
+
+/// The slow-down of the self-test, as a share.
+///
+/// # Errors
+/// Usage for one that is not allowed.
+pub fn injected_share(arguments: &Doctor) -> Result<f64, Failure> {
+    let share = arguments.inject / 100.0;
+    if !(share > 0.0 && share < 1.0) {
+        return Err(Failure::Usage(format!(
+            "--inject: {} is not allowed; allowed: above 0, below 100 (percent)",
+            arguments.inject
+        )));
+    }
+    Ok(share)
 }
 
 /// What the examination and the environment tell.

@@ -64,7 +64,11 @@ fn script(shell: Shell) -> Vec<u8> {
     text
 }
 
-fn page(verb: Option<&str>) -> Result<Vec<u8>, Failure> {
+/// The page of a verb, or of the whole.
+///
+/// # Errors
+/// A verb that there is not.
+pub fn page(verb: Option<&str>) -> Result<Vec<u8>, Failure> {
     let mut command = Arguments::command();
     command.build();
     let of = match verb {

@@ -16,6 +16,8 @@ mod compare;
 mod comparison;
 mod describe;
 mod doctor;
+#[doc(hidden)]
+pub mod doors;
 mod estimate;
 mod failure;
 mod folder;
@@ -47,6 +49,7 @@ mod stability_tables;
 mod stored;
 mod sweep;
 mod thesis;
+mod thesis_asked;
 mod unfinished;
 mod words;
 
@@ -59,7 +62,7 @@ use failure::Failure;
 /// 2 wrong usage, config or input, 3 a confirmed regression, 4 a wrong answer, 130 interrupted.
 pub fn main() -> ExitCode {
     interrupt::let_writes_fail();
-    let outcome = match arguments::parse() {
+    let outcome = match arguments::parse(std::env::args_os()) {
         Ok(arguments) => run(arguments),
         // Help and version are no failures; clap knows which stream they belong to.
         Err(error) => {

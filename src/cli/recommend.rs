@@ -100,7 +100,8 @@ pub fn run(arguments: &Recommend) -> Result<(), Failure> {
     Ok(())
 }
 
-fn question(arguments: &Recommend) -> Question {
+/// The question in the words of the library.
+pub fn question(arguments: &Recommend) -> Question {
     let precision = arguments.precision.map(|word| match word {
         PrecisionWord::F32 => "f32",
         PrecisionWord::F64 => "f64",
@@ -151,7 +152,8 @@ fn sheet(found: &Recommendation) -> Sheet {
 /// Columns of a text.
 const WIDTH: usize = 100;
 
-fn text(found: &Recommendation) -> String {
+/// A recommendation to read.
+pub fn text(found: &Recommendation) -> String {
     let next = match (&found.runner_up, found.runner_up_costs_percent) {
         (Some(id), Some(percent)) => {
             let is_slower = found.runner_up_is_slower == Some(true);

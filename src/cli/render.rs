@@ -135,7 +135,11 @@ pub fn run(arguments: &Render) -> Result<(), Failure> {
     verdict(&shown, arguments.size[0])
 }
 
-fn known(word: &str) -> Result<&'static Kind, Failure> {
+/// What is built around the triangles.
+///
+/// # Errors
+/// Usage for a word that stands for nothing.
+pub fn known(word: &str) -> Result<&'static Kind, Failure> {
     kind(word).ok_or_else(|| {
         let all: Vec<&str> = KINDS.iter().map(|kind| kind.id).collect();
         let all = all.join(", ");

@@ -146,7 +146,8 @@ fn refused(error: ReadError) -> Failure {
     Failure::Usage(error.to_string())
 }
 
-fn wanted(arguments: &Scene) -> Wanted {
+/// What the plan is made for.
+pub fn wanted(arguments: &Scene) -> Wanted {
     let output = arguments.needs.map(|word| match word {
         NeedsWord::Hit => Output::Hit,
         NeedsWord::T => Output::T,

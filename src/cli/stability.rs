@@ -109,7 +109,11 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
     Ok(())
 }
 
-fn sweep(arguments: &Stability) -> Result<Sweep, Failure> {
+/// What is swept.
+///
+/// # Errors
+/// Usage for families and kernels that there are not.
+pub fn sweep(arguments: &Stability) -> Result<Sweep, Failure> {
     let precision = arguments.precision.map(|word| match word {
         PrecisionWord::F32 => Precision::F32,
         PrecisionWord::F64 => Precision::F64,

@@ -89,13 +89,9 @@ fn part(
         .map(|journal| journal.pieces.into_iter().flat_map(|(_, rows)| rows).collect());
     let text = optional(&experiment.join(DESCRIPTION))?;
     let text = text.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    let id = id(experiment, finished.as_ref(), begun.as_deref());
-    if !names_a_folder(&id) {
-        return Err(LoadError::Name { file: experiment.to_owned(), id });
-    }
     let part = Part {
         folder: folder.display().to_string(),
-        experiment: id,
+        experiment: id(experiment, finished.as_ref(), begun.as_deref())?,
         text,
         ..of_rows(finished, begun, environment)
     };
@@ -103,21 +99,34 @@ fn part(
 }
 
 /// The experiment that rows are of: what they say, or the name of their folder.
-fn id(folder: &Path, finished: Option<&RunFile>, begun: Option<&[Row]>) -> String {
+fn id(
+    folder: &Path,
+    finished: Option<&RunFile>,
+    begun: Option<&[Row]>,
+) -> Result<String, LoadError> {
     let rows = finished.map(|run| run.rows.as_slice()).into_iter().chain(begun).flatten();
     let named = rows.map(|row| row.experiment.as_str()).find(|id| !id.is_empty());
     // Without a name of its own, as `.`, the folder has one all the same.
     let path = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
-    named.map(str::to_owned).or(name).unwrap_or_default()
+    match named {
+        Some(id) if !is_a_name(id) => {
+            Err(LoadError::Id { file: folder.to_owned(), id: id.to_owned() })
+        }
+        named => Ok(named.map(str::to_owned).or(name).unwrap_or_default()),
+    }
 }
 
-/// Whether an id names a folder of its own below another one: whatever is made of the experiment goes
-/// there, and nowhere else.
-fn names_a_folder(id: &str) -> bool {
+/// Whether an id is one of the names that a folder below another can have: what is made of the rows is
+/// written into one of that name.
+fn is_a_name(id: &str) -> bool {
     let mut parts = Path::new(id).components();
-    matches!((parts.next(), parts.next()), (Some(Component::Normal(name)), None) if name == id)
+    let is_one = matches!(parts.next(), Some(Component::Normal(part)) if part == id);
+    is_one && id.len() <= MOST_BYTES && !id.contains(|c: char| c == '\\' || c.is_control())
 }
+
+/// The names of folders are no longer than this anywhere.
+const MOST_BYTES: usize = 255;
 
 /// Rows of a file, of a journal, or of both: an interrupted run saves its file and keeps its
 /// journal, and what goes on with it adds to the journal alone. The one that has more counts.

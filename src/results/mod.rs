@@ -137,12 +137,13 @@ pub enum LoadError {
         /// What the parser says, with the place.
         message: String,
     },
-    /// Rows name an experiment whose folder would be elsewhere.
+    /// Rows name an experiment by what is no name, so that its folder could be anywhere.
     #[error(
-        "{}: column 'experiment': '{id}' is not allowed; allowed: the name of a folder, without '/'",
-        file.display()
+        "{}: column 'experiment': '{}' is not allowed; allowed: a name that a folder can have, \
+         without '/', '\\' and control characters",
+        file.display(), id.escape_debug()
     )]
-    Name {
+    Id {
         /// The folder of the rows.
         file: PathBuf,
         /// What they say.

@@ -1,0 +1,7 @@
+//! See `doors::rays`.
+#![no_main]
+
+#[path = "../../parsers/doors/mod.rs"]
+mod doors;
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| doors::rays(bytes));
