@@ -16,6 +16,6 @@ grep -aohE '[A-Za-z_][A-Za-z0-9_.-]{2,24}' "corpus/$target"/* | sort -u | sed 's
 # Without a sanitizer, since there is no unsafe code of ours to watch; that also leaves any toolchain free.
 export TMPDIR=$work/tmp
 unset RUSTFLAGS
-exec cargo fuzz run --fuzz-dir . -s none "$target" "$work/$target" "corpus/$target" "found/$target" -- \
+exec cargo fuzz run --release --fuzz-dir . -s none "$target" "$work/$target" "corpus/$target" "found/$target" -- \
     -dict="$work/$target.dict" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -malloc_limit_mb=256 \
     -max_len="${FUZZ_LENGTH:-8192}" -close_fd_mask=3 -print_final_stats=1
