@@ -30,7 +30,7 @@ expect() {
     [ "$got" -eq "$code" ] || { cat err >&2; fail "$name: exit $got, not $code"; }
     passed=$((passed + 1))
 }
-# set_up SETTINGS COMMAND...: a command in a shell that has limits ('ulimit -n 8') or other streams
+# set_up SETTINGS COMMAND...: a command in a shell that has limits ('ulimit -n 16') or other streams
 # ('exec >/dev/full') of its own.
 # shellcheck disable=SC2016 # of the shell that is begun
 printf '#!/usr/bin/env bash\neval "$1"\nshift\nexec "$@"\n' >set_up
@@ -133,7 +133,7 @@ done
 
 for words in "${quick[@]}" "${written[@]}"; do
     # shellcheck disable=SC2086 # words of a command line
-    expect 0 "256 MB, 8 files, 256 KB of stack: $words" ./set_up 'ulimit -v 262144 -n 8 -s 256' \
+    expect 0 "256 MB, 16 files, 256 KB of stack: $words" ./set_up 'ulimit -v 262144 -n 16 -s 256' \
         "$program" ${words//@/limited}
 done
 # In blocks of 1 KB; what is printed goes to files as well, and is short.
@@ -245,20 +245,21 @@ expect 0 "no environment" env -i "$program" recommend --from base
 # signalled SIGNALS CODE NAME COMMAND...: a run that has begun, and is told to end.
 set -m
 signalled() {
-    local signal=$1 code=$2 name=$3 got=0
+    local signal=$1 code=$2 name=$3 got=0 pid
     shift 3
     rm -rf told
     "$@" run "$configs/b-4.2.toml" --profile thorough --filter '^(moller1|wald)/f32/single' --out told \
         >out 2>err </dev/null &
+    pid=$!
     for _ in {1..600}; do
         [ "$(grep -c . told/b-4.2/rows.ndjson 2>/dev/null)" -gt 1 ] 2>/dev/null && break
         sleep 0.1
     done
     for one in $signal; do
-        kill -s "$one" %%
+        kill -s "$one" "$pid"
         sleep 0.2
     done
-    wait %% 2>/dev/null || got=$?
+    wait "$pid" 2>/dev/null || got=$?
     hears_no_panic "$name"
     [ "$got" -eq "$code" ] || { cat err >&2; fail "$name: exit $got, not $code"; }
     passed=$((passed + 1))
