@@ -49,27 +49,33 @@ else
     echo "skipped: no Rust $rust (1 check)"
 fi
 
+# The library, and the library with its own tests, side by side.
 step "build"
-cargo build --release
+cargo test --release --no-run
 
-step "tests"
+# Neither of them uses more than a core most of the time.
+step "tests, and what needs the program alone"
+work=$(mktemp -d)
+alone=
+trap '[ -z "$alone" ] || kill "$alone" 2>/dev/null || true; rm -rf "$work"' EXIT
+program_alone() {
+    step "generated code"
+    scripts/check_codegen.sh --self-test
+    scripts/check_codegen.sh target/release/ray_test
+    step "from end to end"
+    scripts/check_run.sh target/release/ray_test
+    step "where things break"
+    scripts/check_breaks.sh target/release/ray_test
+}
+(set -e; program_alone) >"$work/alone" 2>&1 &
+alone=$!
 cargo test --release
+wait "$alone" || { cat "$work/alone"; exit 1; }
+cat "$work/alone"
 
 step "documentation"
 RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps --quiet
 
-step "generated code"
-scripts/check_codegen.sh --self-test
-scripts/check_codegen.sh target/release/ray_test
-
-step "from end to end"
-scripts/check_run.sh target/release/ray_test
-
-step "where things break"
-scripts/check_breaks.sh target/release/ray_test
-
 step "report"
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-target/release/ray_test report results/reference --out "$folder" >/dev/null
-scripts/check_report.sh "$folder/report.html"
+target/release/ray_test report results/reference --out "$work/report" >/dev/null
+scripts/check_report.sh "$work/report/report.html"

@@ -50,8 +50,9 @@ fn densities(word: Option<&str>) -> Vec<f64> {
             Ok(density) if (0.0..=1.0).contains(&density) => vec![density],
             _ => {
                 say!(
-                    "warning: DENSITY: '{word}' is no number in [0, 1]; running the sweep \
-                     0, 0.25, 0.5, 0.75, 1 (`all` asks for it)"
+                    "warning: DENSITY: '{}' is no number in [0, 1]; running the sweep \
+                     0, 0.25, 0.5, 0.75, 1 (`all` asks for it)",
+                    word.escape_debug()
                 );
                 sweep
             }
