@@ -23,8 +23,8 @@ impl Estimate {
     }
 }
 
-/// How much longer measuring takes than its blocks: looks at the core, new orders, calibration. As
-/// it was on a quiet machine.
+/// How much longer measuring takes than its blocks: looks at the core, new orders, calibration. So
+/// it was in a quick run that ran nothing again, on a machine shared with others.
 const BESIDE_BLOCKS: f64 = 1.4;
 
 /// Blocks take their time by design; drawing pairs, the exact answers and the check of each

@@ -3,7 +3,7 @@
 //! Two threads of one core share it. A neighbour on the other thread, which may belong to another
 //! virtual machine and count as nobody's switch or steal, makes code that does several things in a
 //! cycle, such as a kernel, take a quarter to a half more time, and leaves a chain of dependent
-//! operations as it is. So both are timed for some microseconds before and after each block: the
+//! operations as it is. So both are timed for some microseconds between any two blocks: the
 //! chain tells the cycles, and their quotient tells the neighbour. (Additions and multiplications
 //! alone are no such code: they left enough of the core to him that he could not be seen.)
 

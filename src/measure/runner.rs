@@ -64,7 +64,7 @@ pub(super) struct Sample {
     pub window: usize,
     /// What the processor counted over the block, where it does.
     pub counts: Option<Counts>,
-    /// Length of a cycle right before and after it, on average, where a ruler tells.
+    /// Length of a cycle before and after it, on average, where a ruler tells.
     pub ns_per_cycle: Option<f64>,
     /// Whether a neighbour was seen right before or after it, or another block of its round.
     pub crowded: bool,

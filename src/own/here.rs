@@ -11,7 +11,7 @@ use crate::measure::{
 use crate::registry::busy_kernel;
 
 /// [`contest`] with the system's clock and counters and, as `ray_test run` has it, a look at the core
-/// before and after each block: the calling thread moves between processors, to one that nobody else
+/// between any two blocks: the calling thread moves between processors, to one that nobody else
 /// uses. Takes half a second for that, and about as long for the rounds of a few entrants.
 ///
 /// # Errors
