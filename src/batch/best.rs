@@ -47,7 +47,7 @@ impl<R: Real> Best<R> {
             self.hit = self.hit | found.hit;
             return;
         }
-        let nearer = found.hit & found.t.lt(self.t);
+        let nearer = found.t.lt_where(self.t, found.hit);
         let Found { t, u, v, .. } = *found;
         if P::Output::SURFACE {
             let ([x, y, z], [ox, oy, oz]) = (normal.0, self.normal.0);

@@ -9,6 +9,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use fearless_simd::{Select, Simd, SimdFloat, SimdMask};
 
+use super::masked::Masked;
 use super::{Element, Extremes, Mask, Real, Toggle};
 
 /// A vector register (or several) of floats of level `S`, seen as one number.
@@ -68,7 +69,7 @@ impl<S: Simd, V: SimdFloat<S>> Neg for Lanes<S, V> {
 
 impl<S, V> Real for Lanes<S, V>
 where
-    S: Simd,
+    S: Masked<V>,
     V: SimdFloat<S, Element: Element>,
 {
     type Mask = LaneMask<S, V::Mask>;
@@ -117,6 +118,22 @@ where
         LaneMask(!self.0.simd_eq(other.0), PhantomData)
     }
     #[inline(always)]
+    fn lt_where(self, other: Self, mask: Self::Mask) -> Self::Mask {
+        LaneMask(S::lt_where(mask.0, self.0, other.0), PhantomData)
+    }
+    #[inline(always)]
+    fn le_where(self, other: Self, mask: Self::Mask) -> Self::Mask {
+        LaneMask(S::le_where(mask.0, self.0, other.0), PhantomData)
+    }
+    #[inline(always)]
+    fn ge_where(self, other: Self, mask: Self::Mask) -> Self::Mask {
+        other.le_where(self, mask)
+    }
+    #[inline(always)]
+    fn ne_where(self, other: Self, mask: Self::Mask) -> Self::Mask {
+        LaneMask(S::ne_where(mask.0, self.0, other.0), PhantomData)
+    }
+    #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
         Lanes(mask.0.select(yes.0, no.0), PhantomData)
     }
@@ -146,7 +163,7 @@ where
 
 impl<S, V> Toggle for Lanes<S, V>
 where
-    S: Simd,
+    S: Masked<V>,
     V: SimdFloat<S, Element: Element>,
 {
     #[inline(always)]
@@ -157,7 +174,7 @@ where
 
 impl<S, V> Extremes for Lanes<S, V>
 where
-    S: Simd,
+    S: Masked<V>,
     V: SimdFloat<S, Element: Element>,
 {
     #[inline(always)]

@@ -18,6 +18,7 @@ mod counted;
 mod extremes;
 mod flushed;
 mod lanes;
+mod masked;
 mod precision;
 mod scalar;
 mod spread;
@@ -94,6 +95,26 @@ pub trait Real:
     fn ge(self, other: Self) -> Self::Mask;
     /// `self != other`.
     fn ne(self, other: Self) -> Self::Mask;
+    /// `mask` where also `self < other`: one instruction where there is one for both, else two.
+    #[inline(always)]
+    fn lt_where(self, other: Self, mask: Self::Mask) -> Self::Mask {
+        mask & self.lt(other)
+    }
+    /// `mask` where also `self <= other`.
+    #[inline(always)]
+    fn le_where(self, other: Self, mask: Self::Mask) -> Self::Mask {
+        mask & self.le(other)
+    }
+    /// `mask` where also `self >= other`.
+    #[inline(always)]
+    fn ge_where(self, other: Self, mask: Self::Mask) -> Self::Mask {
+        mask & self.ge(other)
+    }
+    /// `mask` where also `self != other`.
+    #[inline(always)]
+    fn ne_where(self, other: Self, mask: Self::Mask) -> Self::Mask {
+        mask & self.ne(other)
+    }
     /// `yes` where `mask` holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// [`Real::select`] of several at once, without a jump. A scalar blends bits by a mask that the

@@ -69,6 +69,15 @@ macro_rules! comparisons {
     )*};
 }
 
+macro_rules! masked_comparisons {
+    ($($method:ident)*) => {$(
+        #[inline(always)]
+        fn $method(self, other: Self, mask: Self::Mask) -> Self::Mask {
+            Twice(self.0.$method(other.0, mask.0), self.1.$method(other.1, mask.1))
+        }
+    )*};
+}
+
 impl<R: Real> Real for Twice<R> {
     type Mask = Twice<R::Mask>;
     type Element = R::Element;
@@ -76,6 +85,7 @@ impl<R: Real> Real for Twice<R> {
     const LANES: usize = 2 * R::LANES;
 
     comparisons!(lt le gt ge ne);
+    masked_comparisons!(lt_where le_where ge_where ne_where);
 
     #[inline(always)]
     fn token(self) -> R::Token {

@@ -120,7 +120,7 @@ pub trait Policy: Copy + 'static {
         if Self::Exit::DEFERS_RANGE {
             Ok(mask)
         } else {
-            Self::keep(mask & Self::within(ray, t, scale), code)
+            Self::keep(Self::within(mask, ray, t, scale), code)
         }
     }
     /// The upper bound of t is left to the search for the nearest hit, which compares every hit with
@@ -131,14 +131,14 @@ pub trait Policy: Copy + 'static {
     /// Whoever is given the answer keeps the nearest hit, and takes none that is not nearer.
     const IS_SEARCH: bool = Self::Span::NEARER && Self::Output::T;
 
-    /// Where t / one is within the ray's closed range; in a search, where it is not negative.
+    /// `mask` where t / one is within the ray's closed range; in a search, where it is not negative.
     #[inline(always)]
-    fn within<R: Real>(ray: &Ray<R>, t: R, scale: Scale<R>) -> R::Mask {
+    fn within<R: Real>(mask: R::Mask, ray: &Ray<R>, t: R, scale: Scale<R>) -> R::Mask {
         if Self::LEAVES_BOUND {
-            return Self::Tests::ahead(t);
+            return Self::Tests::ahead(mask, t);
         }
         let lower = if Self::Span::FROM_ZERO { t.zero() } else { Self::scaled(ray.t_min, scale) };
-        Self::Tests::range::<Self::Span, R>(t, lower, Self::scaled(ray.t_max, scale))
+        mask & Self::Tests::range::<Self::Span, R>(t, lower, Self::scaled(ray.t_max, scale))
     }
     /// Where a numerator is between 0 and `one`.
     #[inline(always)]
@@ -206,7 +206,7 @@ pub trait Policy: Copy + 'static {
     #[inline(always)]
     fn settle<R: Real>(hit: R::Mask, ray: &Ray<R>, t: R, scale: Scale<R>) -> Result<R::Mask, Miss> {
         let deferred = Self::Exit::DEFERS_RANGE;
-        Self::Exit::settle(if deferred { hit & Self::within(ray, t, scale) } else { hit })
+        Self::Exit::settle(if deferred { Self::within(hit, ray, t, scale) } else { hit })
     }
     /// The answer where t, u and v share their denominator.
     #[inline(always)]
@@ -241,7 +241,7 @@ pub trait Policy: Copy + 'static {
         let [t, u, v] = [resolve(t, t_inverse), resolve(u, inverse), resolve(v, inverse)];
         let hit = Self::reached(hit, ray, t, t_inverse);
         let asks = Self::Division::BEHIND_TESTS && !Self::Tests::AS_PUBLISHED;
-        let hit = if asks { hit & Self::Reciprocal::usable(inverse) } else { hit };
+        let hit = if asks { Self::Reciprocal::usable(hit, inverse) } else { hit };
         Ok(Found { hit, t, u, v })
     }
     /// `hit` where none of the numerators is NaN, if the tests have left that open.
@@ -251,7 +251,7 @@ pub trait Policy: Copy + 'static {
             return hit;
         }
         let sum = t + u + v;
-        hit & sum.le(sum)
+        sum.le_where(sum, hit)
     }
     /// `hit` where t, which passed the test of its range, is finite, and the determinant, whose
     /// reciprocal is `inverse`. Divided last, t was tested as a numerator; the quotient can overflow,
@@ -262,11 +262,11 @@ pub trait Policy: Copy + 'static {
         if !Self::Division::BEHIND_TESTS || Self::Tests::AS_PUBLISHED {
             return hit;
         }
-        let hit = hit & Self::Reciprocal::usable(inverse);
+        let hit = Self::Reciprocal::usable(hit, inverse);
         if Self::IS_SEARCH {
             hit
         } else if Self::Span::FROM_ZERO {
-            hit & t.le(ray.t_max)
+            t.le_where(ray.t_max, hit)
         } else {
             hit & Self::finite(t)
         }

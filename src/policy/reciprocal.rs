@@ -13,8 +13,8 @@ pub trait Reciprocal: Copy + 'static {
     fn quotient<P: Policy, R: Real>(numerator: R, x: R) -> R;
     /// Where x can be divided by before anything is tested; with culling, where it is positive.
     fn divisible<P: Policy, R: Real>(x: R) -> R::Mask;
-    /// Where a reciprocal is one of a finite number.
-    fn usable<R: Real>(inverse: R) -> R::Mask;
+    /// `mask` where a reciprocal is one of a finite number.
+    fn usable<R: Real>(mask: R::Mask, inverse: R) -> R::Mask;
 }
 
 /// The division of the processor, rounded once.
@@ -59,8 +59,8 @@ impl Reciprocal for Divide {
         }
     }
     #[inline(always)]
-    fn usable<R: Real>(inverse: R) -> R::Mask {
-        inverse.ne(inverse.zero())
+    fn usable<R: Real>(mask: R::Mask, inverse: R) -> R::Mask {
+        inverse.ne_where(inverse.zero(), mask)
     }
 }
 
@@ -87,10 +87,14 @@ impl<const STEPS: usize> Reciprocal for Estimated<STEPS> {
     #[inline(always)]
     fn divisible<P: Policy, R: Real>(x: R) -> R::Mask {
         let inverse = Self::of::<P, R>(x);
-        if P::Facing::CULLS { inverse.gt(x.zero()) } else { Self::usable(inverse) }
+        if P::Facing::CULLS {
+            inverse.gt(x.zero())
+        } else {
+            Self::usable(R::mask(x.token(), true), inverse)
+        }
     }
     #[inline(always)]
-    fn usable<R: Real>(inverse: R) -> R::Mask {
-        inverse.signed_by(inverse).gt(inverse.zero())
+    fn usable<R: Real>(mask: R::Mask, inverse: R) -> R::Mask {
+        inverse.zero().lt_where(inverse.signed_by(inverse), mask)
     }
 }

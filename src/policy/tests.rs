@@ -17,10 +17,10 @@ pub trait Tests: Copy + 'static {
     const LEAVES_NAN: bool = false;
     /// Where `t` is in `[lower, upper]`.
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask;
-    /// Where `t` is not negative. Not asked of sign bits as printed, which flip nothing.
+    /// `mask` where `t` is not negative. Not asked of sign bits as printed, which flip nothing.
     #[inline(always)]
-    fn ahead<R: Real>(t: R) -> R::Mask {
-        t.ge(t.zero())
+    fn ahead<R: Real>(mask: R::Mask, t: R) -> R::Mask {
+        t.ge_where(t.zero(), mask)
     }
     /// Where `u` is in `[0, one]`.
     fn share<R: Real>(u: R, one: R) -> R::Mask;
@@ -62,19 +62,19 @@ impl Tests for Compare {
     const PRODUCTS: bool = false;
     #[inline(always)]
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask {
-        t.ge(lower) & t.le(upper)
+        t.le_where(upper, t.ge(lower))
     }
     #[inline(always)]
     fn share<R: Real>(u: R, one: R) -> R::Mask {
-        u.ge(u.zero()) & u.le(one)
+        u.le_where(one, u.ge(u.zero()))
     }
     #[inline(always)]
     fn beside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        v.ge(v.zero()) & (u + v).le(one)
+        (u + v).le_where(one, v.ge(v.zero()))
     }
     #[inline(always)]
     fn inside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        u.ge(u.zero()) & v.ge(v.zero()) & (u + v).le(one)
+        (u + v).le_where(one, v.ge_where(v.zero(), u.ge(u.zero())))
     }
 }
 
@@ -116,8 +116,8 @@ impl Tests for SignBitsSafe {
         !t.either_sign(upper - t).sign_bit()
     }
     #[inline(always)]
-    fn ahead<R: Real>(t: R) -> R::Mask {
-        !(t + t.zero()).sign_bit()
+    fn ahead<R: Real>(mask: R::Mask, t: R) -> R::Mask {
+        mask & !(t + t.zero()).sign_bit()
     }
     #[inline(always)]
     fn share<R: Real>(u: R, one: R) -> R::Mask {
