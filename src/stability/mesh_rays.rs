@@ -9,10 +9,18 @@ use super::rows;
 use super::shots::Range;
 use super::sweep::Setting;
 use crate::table::Row;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The rows of one mesh, offset, precision and class of rays: one a form.
-pub fn rows_of(family: &Family, kind: MeshKind, setting: &Setting, forms: &[Form]) -> Vec<Row> {
-    let Some(class) = setting.class else { return Vec::new() };
+/// The rows of one mesh, offset, precision and class of rays: one a form. `None` once cancelled,
+/// which is looked at before every ray.
+pub fn rows_of(
+    family: &Family,
+    kind: MeshKind,
+    setting: &Setting,
+    forms: &[Form],
+    cancel: &AtomicBool,
+) -> Option<Vec<Row>> {
+    let Some(class) = setting.class else { return Some(Vec::new()) };
     let precision = setting.precision;
     let usual = |form: &&Form| form.precision == precision && !form.flushes();
     let forms: Vec<&Form> = forms.iter().filter(usual).collect();
@@ -22,6 +30,9 @@ pub fn rows_of(family: &Family, kind: MeshKind, setting: &Setting, forms: &[Form
     let range = Range::new(&mesh, kind, class, &mut draw);
     let mut tallies = vec![Tally::default(); forms.len()];
     for _ in 0..setting.count {
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
         let (query, aim, sees_all) = range.shot(&mut draw);
         let has = |segment: bool| forms.iter().any(|form| form.asked.is_segment == segment);
         for is_segment in [false, true].into_iter().filter(|segment| has(*segment)) {
@@ -41,5 +52,5 @@ pub fn rows_of(family: &Family, kind: MeshKind, setting: &Setting, forms: &[Form
         tally.put(&mut row);
         row
     };
-    forms.iter().zip(tallies).map(row).collect()
+    Some(forms.iter().zip(tallies).map(row).collect())
 }
