@@ -128,3 +128,15 @@ fn bad_specifications_are_refused_with_what_is_allowed() {
     let seed = PairSpec { generator, ..PairSpec::new(10, 0.5, u64::MAX) };
     assert!(message(seed).starts_with("seed is 18446744073709551615"));
 }
+
+#[test]
+fn a_set_that_is_cancelled_is_none_and_bad_specifications_come_first() {
+    let draw = |spec: PairSpec, cancel: bool| {
+        Pairs::draw_unless(spec, &AtomicBool::new(cancel)).map(|pairs| pairs.hash)
+    };
+    let spec = PairSpec::new(100, 0.5, 1);
+    assert_eq!(draw(spec, true), Err(WorkloadError::Cancelled));
+    assert_eq!(draw(spec, false), Pairs::draw(spec).map(|pairs| pairs.hash));
+    let bad = draw(PairSpec::new(100, 1.5, 1), true);
+    assert_eq!(bad, Err(WorkloadError::Density { value: 1.5 }));
+}
