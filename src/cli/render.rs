@@ -14,7 +14,7 @@ use super::render_kernels::{Chosen, chosen};
 use super::render_rows::{Common, lines, sheet, verdict};
 use super::show::{aligned, print};
 use super::words::words;
-use super::{interrupt, render_files};
+use super::{interrupt, lock, render_files};
 use crate::registry::REFERENCE;
 use crate::render::{Following, Interpolation, Manner, Stage, Subsampling};
 use crate::scene;
@@ -117,6 +117,8 @@ pub fn run(arguments: &Render) -> Result<(), Failure> {
     let structure = known(&arguments.structure)?;
     let files = render_files::check(arguments, &chosen)?;
     let mesh = scene::open(&arguments.model)?;
+    // Its seconds are compared between kernels.
+    let _lock = lock::take()?;
     let stage = Stage::new(&mesh, arguments.size);
     let start = Instant::now();
     let structure = (structure.build)(&stage.triangles);

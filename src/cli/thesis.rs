@@ -11,7 +11,7 @@ use super::failure::Failure;
 use super::show::{Sheet, print};
 use super::slices::Slices;
 use super::thesis_asked::{Asked, checked};
-use super::{interrupt, progress};
+use super::{interrupt, lock, progress};
 use crate::experiment::{BEYOND, Scene, beyond_prediction, put_percent_slower};
 use crate::job::{Block, Job, Tally};
 use crate::measure::{Clock, Order, WallClock};
@@ -22,6 +22,11 @@ use crate::workload::{PairSpec, Pairs, Pcg, WorkloadError};
 /// Checks everything, then runs the thesis's test and prints its table.
 pub fn run(arguments: &Thesis) -> Result<(), Failure> {
     let Asked { densities, chosen, count, slices } = checked(arguments)?;
+    for density in &densities {
+        let refused = |error: WorkloadError| Failure::Usage(error.to_string());
+        spec(arguments, count, *density).check().map_err(refused)?;
+    }
+    let _lock = lock::take()?;
     let cancel = interrupt::flag();
     let bar = progress::bar(densities.len().saturating_mul(slices.number()));
     let mut rows = Vec::new();
@@ -56,15 +61,18 @@ fn warn_of_prediction(order: Order, scene: &Scene, kernels: usize) {
     }
 }
 
+fn spec(arguments: &Thesis, count: usize, density: f64) -> PairSpec {
+    let generator = arguments.generator.value();
+    PairSpec { generator, ..PairSpec::new(count, density, arguments.seed) }
+}
+
 fn scene(
     arguments: &Thesis,
     count: usize,
     density: f64,
     cancel: &AtomicBool,
 ) -> Result<Scene, Failure> {
-    let generator = arguments.generator.value();
-    let spec = PairSpec { generator, ..PairSpec::new(count, density, arguments.seed) };
-    match Pairs::draw_unless(spec, cancel) {
+    match Pairs::draw_unless(spec(arguments, count, density), cancel) {
         Err(WorkloadError::Cancelled) => Err(Failure::Interrupted),
         Err(error) => Err(Failure::Usage(error.to_string())),
         Ok(pairs) => Ok(Scene::of_pairs(pairs)),

@@ -110,6 +110,15 @@ impl PairSpec {
     pub fn hits(&self) -> Result<usize, WorkloadError> {
         quota("number of pairs", self.count, self.density)
     }
+
+    /// Refuses what can be seen to be wrong before anything is drawn.
+    ///
+    /// # Errors
+    /// For a count, a density or a seed that is not allowed.
+    pub fn check(&self) -> Result<(), WorkloadError> {
+        self.hits()?;
+        self.generator.start(self.seed).map(drop)
+    }
 }
 
 /// Number of `count` things that a density asks for, rounded half up.

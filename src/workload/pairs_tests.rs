@@ -115,7 +115,12 @@ fn sets_are_golden() {
 
 #[test]
 fn bad_specifications_are_refused_with_what_is_allowed() {
-    let message = |spec: PairSpec| Pairs::draw(spec).unwrap_err().to_string();
+    let message = |spec: PairSpec| {
+        let refused = Pairs::draw(spec).unwrap_err().to_string();
+        assert_eq!(spec.check().unwrap_err().to_string(), refused);
+        refused
+    };
+    assert_eq!(PairSpec::new(10, 0.5, 1).check(), Ok(()));
     for density in [f64::NAN, -0.1, 1.5, f64::INFINITY] {
         let text = message(PairSpec::new(10, density, 1));
         assert_eq!(text, format!("density is {density}; allowed is a number from 0 to 1"));
