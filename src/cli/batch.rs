@@ -253,8 +253,7 @@ fn say_where_it_stands(failure: &Failure, folder: &Folder) {
 }
 
 fn say_how_to_go_on(folder: &Path, when: &str) {
-    let arguments = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
-    let command = unfinished::resume_command(arguments, folder);
+    let command = unfinished::resume_command(std::env::args_os(), folder);
     say!("what was measured is saved; to go on{when}:\n  {command}");
 }
 
