@@ -17,6 +17,7 @@ use super::words::words;
 use super::{interrupt, lock, render_files};
 use crate::registry::REFERENCE;
 use crate::render::{Following, Interpolation, Manner, Stage, Subsampling};
+use crate::report::count;
 use crate::scene;
 use crate::structure::{KINDS, Kind, Structure, kind};
 
@@ -224,11 +225,11 @@ fn announce(
     let pixels = |stage: &Stage| stage.size().map(f64::from).iter().product::<f64>();
     let [columns, rows] = arguments.size;
     say!(
-        "{}: {} triangles, {columns} x {rows} pixels, {} frames by {} kernels, about {:.0} s",
+        "{}: {}, {columns} x {rows} pixels, {} by {}, about {:.0} s",
         arguments.model,
-        stage.triangles.len(),
-        arguments.frames,
-        all.len(),
+        count(stage.triangles.len(), "triangle", "triangles"),
+        count(arguments.frames as usize, "frame", "frames"),
+        count(all.len(), "kernel", "kernels"),
         (seconds * pixels(stage) / pixels(&small)).ceil()
     );
     Ok(())

@@ -14,6 +14,7 @@ use super::rounds::RoundsLog;
 use super::show::{Sheet, print, rounded};
 use crate::experiment::Keep;
 use crate::measure::{Protocol, RoundTrace};
+use crate::report::count;
 use crate::table::{Journal, Journaled, Row, TableError};
 
 /// A journal, with what it held when the run was gone on with.
@@ -76,7 +77,7 @@ pub fn print_rows(rows: &[Row], file: &Path) -> Result<(), Failure> {
     }
     let mut out = std::io::stdout().lock();
     match measured.len() - shown.len() {
-        0 => writeln!(out, "{} rows in {}", measured.len(), file.display())?,
+        0 => writeln!(out, "{} in {}", count(measured.len(), "row", "rows"), file.display())?,
         more => writeln!(out, "... and {more} more in {}", file.display())?,
     }
     Ok(())
