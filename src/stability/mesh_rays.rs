@@ -28,23 +28,7 @@ pub fn rows_of(
     let purpose = format!("{} {}", family.id, class.word());
     let mut draw = Draw::new(setting.seed, &purpose, setting.knob, precision);
     let range = Range::new(&mesh, kind, class, &mut draw);
-    let mut tallies = vec![Tally::default(); forms.len()];
-    for _ in 0..setting.count {
-        if cancel.load(Ordering::Relaxed) {
-            return None;
-        }
-        let (query, aim, sees_all) = range.shot(&mut draw);
-        let has = |segment: bool| forms.iter().any(|form| form.asked.is_segment == segment);
-        for is_segment in [false, true].into_iter().filter(|segment| has(*segment)) {
-            let query = if is_segment { segment_of(&query, &draw) } else { query };
-            let met = range.met(&query, &aim, sees_all);
-            for (form, tally) in forms.iter().zip(&mut tallies) {
-                if form.asked.is_segment == is_segment && met.is_one {
-                    tally.add(range.hits(form.asked.ask, &query, &met));
-                }
-            }
-        }
-    }
+    let tallies = tallies(&range, &mut draw, &forms, (setting.count, cancel))?;
     let row = |(form, tally): (&&Form, Tally)| {
         let mut row = rows::of_setting(family, setting, form);
         row.ray_class = class.word().into();
@@ -53,4 +37,31 @@ pub fn rows_of(
         row
     };
     Some(forms.iter().zip(tallies).map(row).collect())
+}
+
+/// What each form did with so many rays; `None` once cancelled.
+fn tallies(
+    range: &Range<'_>,
+    draw: &mut Draw,
+    forms: &[&Form],
+    (count, cancel): (usize, &AtomicBool),
+) -> Option<Vec<Tally>> {
+    let mut tallies = vec![Tally::default(); forms.len()];
+    for _ in 0..count {
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
+        let (query, aim, sees_all) = range.shot(draw);
+        let has = |segment: bool| forms.iter().any(|form| form.asked.is_segment == segment);
+        for is_segment in [false, true].into_iter().filter(|segment| has(*segment)) {
+            let query = if is_segment { segment_of(&query, draw) } else { query };
+            let met = range.met(&query, &aim, sees_all);
+            for (form, tally) in forms.iter().zip(&mut tallies) {
+                if form.asked.is_segment == is_segment && met.is_one {
+                    tally.add(range.hits(form.asked.ask, &query, &met));
+                }
+            }
+        }
+    }
+    Some(tallies)
 }
