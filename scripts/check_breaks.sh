@@ -54,6 +54,7 @@ printf 'id,ox,oy,oz,dx,dy,dz,ax,ay,az,bx,by,bz,cx,cy,cz\n1,1,2,0,0,-1,0,0,0,0,4,
 stiff=(stability --families needle --kernels wald --depth quick)
 picture=(render icosphere:1 --size 320x240 --compare)
 expect 0 "a run" "$program" run tiny.toml --out base
+has "^1 experiment, about" err
 is_whole base "a run"
 
 # What each verb prints, quickly.
@@ -109,6 +110,7 @@ for place in file file/below dangling /dev/null /proc/ray_test; do
     done
 done
 expect 0 "a name that is no text" "$program" "${stiff[@]}" --out $'a\377b'
+has "^1 family, .* forms of kernels, about" err
 
 if [ -c /dev/full ]; then
     for words in "${quick[@]}"; do
@@ -140,6 +142,11 @@ done
 expect 1 "files of 4 KB at most" ./set_up 'ulimit -f 4' "$program" report base --out small
 has "File too large" err
 is_whole small "files of 4 KB at most"
+expect 1 "files of 4 KB at most: a name that is no text" ./set_up 'ulimit -f 4' "$program" run tiny.toml --out $'c\377 d'
+has "^  .* --out \$'c.xff d' --resume$" err
+next=$(grep -a -- '--resume$' err)
+eval "expect 0 'what was printed goes on there' $next"
+[ -s $'c\377 d/report.html' ] || fail "what was printed went on elsewhere"
 if command -v taskset >/dev/null; then
     expect 0 "one processor" taskset -c "$(taskset -cp $$ | sed 's/.*: *//; s/[,-].*//')" \
         "$program" run tiny.toml --out single
@@ -185,6 +192,9 @@ if [ -n "$clock" ]; then
     expect 1 "a clock that stands" env LD_PRELOAD="$clock" FAKETIME_DONT_FAKE_MONOTONIC=0 \
         FAKETIME='2030-01-01 00:00:00' "$program" run tiny.toml --out stands
     has "stands still" err
+    expect 1 "a clock a thousand times too slow" env LD_PRELOAD="$clock" FAKETIME_DONT_FAKE_MONOTONIC=0 \
+        FAKETIME='+0 x0.001' "$program" run tiny.toml --out stands
+    has "far too slow" err
     [ ! -e stands ] || fail "a folder where nothing can be timed"
 else
     skip "no faketime: clocks that jump or stand"
@@ -196,7 +206,13 @@ if command -v flock >/dev/null; then
     head -c 100000 /dev/urandom >odd
     expect 1 "a lock that is held" env RAY_TEST_LOCK=odd flock odd "$program" run tiny.toml --out second
     has "another run is measuring" err
-    [ ! -e second ] || fail "a folder beside another run"
+    for words in "0.5 200 10" "render icosphere:1 --size 32x24 -o second.png"; do
+        # shellcheck disable=SC2086 # words of a command line
+        expect 1 "a lock that is held: $words" env RAY_TEST_LOCK=odd flock odd "$program" $words
+        has "another run is measuring" err
+    done
+    expect 2 "a lock that is held: what is refused anyway" env RAY_TEST_LOCK=odd flock odd "$program" 0.5 99999999 10
+    if [ -e second ] || [ -e second.png ]; then fail "a folder or a picture beside another run"; fi
 else
     skip "no flock: a lock that is held"
 fi
@@ -217,6 +233,8 @@ broken "cut" head -c 5000; named "a file that was cut"
 broken "zeros" sed '20s/^/\x00/'; named "zeros"
 broken "newer" sed 's/"schema_version": "1/"schema_version": "2/'; named "another schema"
 broken "a word" sed 's/"tests":[0-9]*/"tests":"many"/'; named "a word for a number"
+broken "below 0" sed 's/"ns_per_test":[0-9.e-]*/"ns_per_test":-1/'; named "a time below 0"
+has "row 1, column 'ns_per_test': '-1' is not allowed" err
 broken "a column less" sed 's/"order":"[a-z]*",//'; named "a column less"
 broken "a column more" sed 's/"kernel":/"colour":"red","kernel":/'
 expect 0 "a column more" "$program" report broken
@@ -276,6 +294,13 @@ for signal in "${ends[@]}"; do
 done
 signalled "HUP TERM" 130 "HUP under nohup" nohup "$program"
 has "--resume$" err
+# Told once: what was begun would take several times as long as it is given to end; then it is killed, which is 137.
+for words in "stability --depth thorough --out told-stiff" "0.3 16777216 10"; do
+    # shellcheck disable=SC2086 # words of a command line
+    expect 130 "told to end: $words" timeout --foreground --preserve-status -s INT -k 5 1 "$program" $words
+    has "interrupted$" err
+done
+is_whole told-stiff "told to end: stability"
 signalled KILL 137 "killed" "$program"
 expect 0 "what a killed run leaves" "$program" report told
 

@@ -1,7 +1,10 @@
-//! `ray_test recommend` on the committed run: the contract's keys, and what is refused.
+//! `ray_test recommend` on the committed run: the contract's keys, and what is refused; and that all of that
+//! run can be read.
 #![cfg(feature = "cli")]
 
+use ray_test::table::{Row, read_csv, read_json};
 use serde_json::Value;
+use std::path::Path;
 use std::process::{Command, Output};
 
 const FROM: [&str; 2] = ["--from", concat!(env!("CARGO_MANIFEST_DIR"), "/results/reference")];
@@ -107,4 +110,29 @@ fn the_report_names_what_its_commands_name() {
             assert_eq!(named["variant"], variant, "{command}");
         }
     }
+}
+
+#[test]
+fn every_stored_row_can_be_read_differences_of_times_included() {
+    let read = |file: &Path| -> Vec<Row> {
+        let rows = match file.extension().is_some_and(|ending| ending == "json") {
+            true => read_json(file).map(|run| run.rows),
+            false => read_csv(file),
+        };
+        rows.unwrap_or_else(|error| panic!("{error}"))
+    };
+    let (mut files, mut negative) = (0, 0);
+    for experiment in std::fs::read_dir(FROM[1]).unwrap() {
+        for name in ["rows.json", "rows.csv"] {
+            let file = experiment.as_ref().unwrap().path().join(name);
+            if file.exists() {
+                let rows = read(&file);
+                let is_negative = |row: &&Row| row.cycles_per_test.is_some_and(|one| one < 0.0);
+                negative += rows.iter().filter(is_negative).count();
+                files += 1;
+            }
+        }
+    }
+    // The mixture of codes foretells more cycles than were measured, in some rows.
+    assert!(files > 80 && negative > 0, "{files} files, {negative} negative");
 }

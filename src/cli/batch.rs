@@ -19,6 +19,7 @@ use super::sweep::{of_profile, sweep_once};
 use super::{interrupt, lock, progress, shards, unfinished};
 use crate::experiment::{Experiment, Outcome, Plan, pattern_of, run as run_plan};
 use crate::measure::Environment;
+use crate::report::count;
 use crate::results::LoadError;
 use crate::stability::Sweep;
 use crate::workload::hash::Fnv;
@@ -87,8 +88,8 @@ fn carry_out(sources: Vec<Source>, batch: &Batch, with_stiff: bool) -> Result<()
     let folder = if batch.resume { folder.going_on() } else { folder };
     let before = folder.open(&plans, batch.resume)?;
     say!(
-        "{} experiments, about {} s; results in {}",
-        plans.len(),
+        "{}, about {} s; results in {}",
+        count(plans.len(), "experiment", "experiments"),
         seconds_of_all(&plans, sweep.as_ref(), profile, None).ceil(),
         folder.path().display()
     );
@@ -253,8 +254,7 @@ fn say_where_it_stands(failure: &Failure, folder: &Folder) {
 }
 
 fn say_how_to_go_on(folder: &Path, when: &str) {
-    let arguments = std::env::args_os().map(|word| word.to_string_lossy().into_owned());
-    let command = unfinished::resume_command(arguments, folder);
+    let command = unfinished::resume_command(std::env::args_os(), folder);
     say!("what was measured is saved; to go on{when}:\n  {command}");
 }
 
@@ -267,7 +267,8 @@ pub fn said(id: &str, outcome: &Outcome, time: Duration) {
             notes += &format!(", {} {status}", of(status));
         }
     }
-    say!("{id}: {} rows, {:.1} s{notes}", outcome.rows.len(), time.as_secs_f64());
+    let rows = count(outcome.rows.len(), "row", "rows");
+    say!("{id}: {rows}, {:.1} s{notes}", time.as_secs_f64());
 }
 
 /// What rows depend on besides experiment, program and machine.

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::failure::Failure;
 use super::show::{self, Sheet};
 use crate::compare::{Comparison, Finding, Place, Side, Source, Verdict};
+use crate::report::count;
 
 /// So many of what is only listed are named in a text; CSV and JSON have them all.
 const MOST_NAMED: usize = 10;
@@ -143,7 +144,7 @@ fn percent(ratio: f64) -> String {
 
 fn counts(comparison: &Comparison) -> String {
     let mut line =
-        format!("{} cells in both, threshold {} %", comparison.cells, comparison.threshold_percent);
+        format!("{} in both, threshold {} %", cells(comparison), comparison.threshold_percent);
     for (count, what) in [
         (comparison.not_judged, "without a time to judge"),
         (comparison.missing.len(), "missing"),
@@ -198,32 +199,39 @@ fn word<'a>(source: &'a Source, pointer: &str) -> Option<&'a str> {
     source.field(pointer).and_then(Value::as_str)
 }
 
+fn cells(comparison: &Comparison) -> String {
+    count(comparison.cells, "cell", "cells")
+}
+
 /// The whole in a sentence.
 fn sentence(comparison: &Comparison) -> String {
     let worst = comparison.regressions.first().map(|finding| {
         let change = finding.change.ratio.map(|ratio| format!(" ({})", percent(ratio)));
         format!("{} of {}{}", finding.change.figure, finding.place.id, change.unwrap_or_default())
     });
-    let (cells, threshold) = (comparison.cells, comparison.threshold_percent);
+    let (cells, threshold) = (cells(comparison), comparison.threshold_percent);
+    let are = |number: usize| if number == 1 { "is" } else { "are" };
     match comparison.verdict {
         Verdict::Refused => {
             "Refused: the two are about different things; nothing was judged.".into()
         }
         Verdict::Regressed => format!(
-            "Regressed: {} figures in {cells} cells are worse, first of all {}.",
-            comparison.regressions.len(),
+            "Regressed: {} in {cells} {} worse, first of all {}.",
+            count(comparison.regressions.len(), "figure", "figures"),
+            are(comparison.regressions.len()),
             worst.unwrap_or_default()
         ),
         Verdict::Unresolved => format!(
-            "Unresolved: nothing is known to be worse, but {} of {cells} cells cannot be told from \
+            "Unresolved: nothing is known to be worse, but {} of {cells} cannot be told from \
              a change beyond {threshold} %; more rounds (--profile) narrow the intervals.",
             comparison.unresolved.len()
         ),
         Verdict::Improved => format!(
-            "Improved: {} figures in {cells} cells are better, none is worse.",
-            comparison.improvements.len()
+            "Improved: {} in {cells} {} better, none is worse.",
+            count(comparison.improvements.len(), "figure", "figures"),
+            are(comparison.improvements.len())
         ),
-        Verdict::Same => format!("Same: no change beyond {threshold} % in {cells} cells."),
+        Verdict::Same => format!("Same: no change beyond {threshold} % in {cells}."),
     }
 }
 

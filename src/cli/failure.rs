@@ -1,6 +1,7 @@
 //! What went wrong, and the exit code for it.
 
 use crate::experiment::{KeepError, Trouble};
+use crate::report::count;
 
 /// A failure with its exit code.
 #[derive(Debug)]
@@ -40,7 +41,9 @@ impl Failure {
             Failure::Unheard => {}
             Failure::Runtime(error) => say!("error: {}", with_causes(error)),
             Failure::Usage(message) => say!("error: {message}"),
-            Failure::Regressed(count) => say!("error: {count} confirmed regressions"),
+            Failure::Regressed(number) => {
+                say!("error: {}", count(*number, "confirmed regression", "confirmed regressions"));
+            }
             Failure::Wrong(ids) => say!(
                 "error: a wrong answer, not timed (reasons are in the rows):\n  {}",
                 ids.join("\n  ")

@@ -4,8 +4,8 @@ use super::failure::Failure;
 use crate::experiment::{Bench, Distraction, Keep, Patience};
 use crate::level::levels;
 use crate::measure::{
-    Counters, Environment, HardwareCounters, InvoluntarySwitches, NeighbourRuler, NoCounters,
-    NoRuler, Pin, Ruler, WallClock, alike_cpus, allowed_cpus, pin,
+    Clock, Counters, Environment, HardwareCounters, InvoluntarySwitches, NeighbourRuler,
+    NoCounters, NoRuler, Pin, Ruler, WallClock, alike_cpus, allowed_cpus, cycles_per_ns, pin,
 };
 use crate::registry::busy_kernel;
 use std::ffi::OsStr;
@@ -30,7 +30,7 @@ impl Instruments {
     ///
     /// # Errors
     /// Usage, for a processor that the thread may not run on, and for a patience that is no number. A
-    /// clock that stands still.
+    /// clock that stands still, or is far too slow or too fast.
     pub fn set_up(wanted: Pin) -> Result<(Self, Environment), Failure> {
         if let (Pin::Cpu(cpu), Ok(allowed)) = (wanted, allowed_cpus())
             && !allowed.contains(&cpu)
@@ -43,7 +43,7 @@ impl Instruments {
         let mut clock = WallClock::new();
         // Before the pinning, which would hide the other processors.
         let mut environment = Environment::capture(&mut clock);
-        clock_runs(&environment)?;
+        clock_runs(&mut clock, environment.timer.resolution_ns)?;
         let has = |(level, available): (&str, bool)| available.then(|| level.to_owned());
         environment.levels = levels().into_iter().filter_map(has).collect();
         let mut disturbance = InvoluntarySwitches;
@@ -119,16 +119,37 @@ impl Instruments {
     }
 }
 
-/// Refuses a clock that stands still: every calibration would look for blocks that are long enough
+/// Cycles of the chain in a nanosecond, fewest and most. No processor has more than 20: the fastest clocks
+/// ever held are below 10 GHz, and where a step took one cycle, not two, it would seem twice as fast. Below
+/// 0.01, 10 MHz, is none that has an operating system with such a clock; a build without optimisation takes
+/// some fifty times as long for a step, which at 1 GHz still is 0.02. A clock a thousand times too slow is
+/// refused above 20 MHz, one a thousand times too fast below 10 GHz.
+const CYCLES_PER_NS: (f64, f64) = (0.01, 20.0);
+
+/// Refuses a clock that stands still, or that runs so slowly or so fast that a chain of known length says
+/// that it cannot be right: every calibration would look for blocks that are long enough, for minutes, or
 /// until it gives up.
-fn clock_runs(environment: &Environment) -> Result<(), Failure> {
-    if environment.timer.resolution_ns.is_some() {
-        return Ok(());
+fn clock_runs(clock: &mut dyn Clock, resolution_ns: Option<u64>) -> Result<(), Failure> {
+    let refused = |what: String| {
+        Err(Failure::Runtime(anyhow::anyhow!(
+            "the clock of this system (CLOCK_MONOTONIC) {what}, so that nothing can be timed; what \
+             needs no clock can be run: `check`, `stability`, --shard"
+        )))
+    };
+    let Some(resolution_ns) = resolution_ns else { return refused("stands still".to_owned()) };
+    let (least, most) = cycles_per_ns(clock, resolution_ns);
+    let (fewest, highest) = CYCLES_PER_NS;
+    let by_it = |cycles: f64| {
+        format!(
+            "by it this processor does {cycles:.1e} cycles in a nanosecond, and every one does \
+             {fewest} to {highest}"
+        )
+    };
+    match () {
+        () if least > highest => refused(format!("is far too slow ({})", by_it(least))),
+        () if most < fewest => refused(format!("is far too fast ({})", by_it(most))),
+        () => Ok(()),
     }
-    Err(Failure::Runtime(anyhow::anyhow!(
-        "the clock of this system (CLOCK_MONOTONIC) stands still, so that nothing can be timed; \
-         what needs no clock can be run: `check`, `stability`, --shard"
-    )))
 }
 
 /// Environment variable that sets another patience.
@@ -163,6 +184,26 @@ fn patience(asked: Option<&OsStr>) -> Result<Option<u32>, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::ScriptedClock;
+
+    #[test]
+    fn a_clock_that_stands_or_is_a_thousand_times_off_is_refused() {
+        // A pass of the chain is two million cycles, and as long as the script says.
+        let of = |ns: u64, resolution| clock_runs(&mut ScriptedClock::new(ns), resolution);
+        // 3 GHz; 100 MHz; and a clock with steps of 10 ms that saw none.
+        for (ns, resolution) in [(700_000, 20), (20_000_000, 20), (0, 10_000_000)] {
+            assert!(of(ns, Some(resolution)).is_ok(), "{ns}");
+        }
+        let far = [
+            (700_000, None, "stands still"),
+            (700, Some(1), "too slow"),
+            (700_000_000, Some(20_000), "too fast"),
+        ];
+        for (ns, resolution, word) in far {
+            let Err(Failure::Runtime(error)) = of(ns, resolution) else { panic!("{ns} was taken") };
+            assert!(error.to_string().contains(word), "{error}");
+        }
+    }
 
     #[test]
     fn patience_is_a_small_whole_number() {

@@ -1,10 +1,11 @@
 //! Ctrl-C, or being told to end: the first finishes the present block and saves what was measured,
-//! the second ends at once.
+//! the second ends at once, and so does the first where nothing is there to be saved.
 
 use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static CANCEL: AtomicBool = AtomicBool::new(false);
+static AT_ONCE: AtomicBool = AtomicBool::new(false);
 
 /// Installs the handler and returns the flag that it sets. Without one (no signals on this
 /// system) the flag stays false.
@@ -14,8 +15,18 @@ pub fn flag() -> &'static AtomicBool {
     &CANCEL
 }
 
+/// While there is nothing to be saved, the first ends at once, too.
+pub fn end_at_once(nothing_to_save: bool) {
+    AT_ONCE.store(nothing_to_save, Ordering::Relaxed);
+}
+
 fn told() {
-    if CANCEL.swap(true, Ordering::Relaxed) {
+    let is_first = !CANCEL.swap(true, Ordering::Relaxed);
+    if is_first && AT_ONCE.load(Ordering::Relaxed) {
+        let _ = writeln!(std::io::stderr(), "interrupted");
+        std::process::exit(130);
+    }
+    if !is_first {
         std::process::exit(130);
     }
     // Where the terminal has gone, there is nobody to tell; that must not stop the saving.

@@ -14,9 +14,10 @@ use super::render_kernels::{Chosen, chosen};
 use super::render_rows::{Common, lines, sheet, verdict};
 use super::show::{aligned, print};
 use super::words::words;
-use super::{interrupt, render_files};
+use super::{interrupt, lock, render_files};
 use crate::registry::REFERENCE;
 use crate::render::{Following, Interpolation, Manner, Stage, Subsampling};
+use crate::report::count;
 use crate::scene;
 use crate::structure::{KINDS, Kind, Structure, kind};
 
@@ -117,6 +118,8 @@ pub fn run(arguments: &Render) -> Result<(), Failure> {
     let structure = known(&arguments.structure)?;
     let files = render_files::check(arguments, &chosen)?;
     let mesh = scene::open(&arguments.model)?;
+    // Its seconds are compared between kernels.
+    let _lock = lock::take()?;
     let stage = Stage::new(&mesh, arguments.size);
     let start = Instant::now();
     let structure = (structure.build)(&stage.triangles);
@@ -222,11 +225,11 @@ fn announce(
     let pixels = |stage: &Stage| stage.size().map(f64::from).iter().product::<f64>();
     let [columns, rows] = arguments.size;
     say!(
-        "{}: {} triangles, {columns} x {rows} pixels, {} frames by {} kernels, about {:.0} s",
+        "{}: {}, {columns} x {rows} pixels, {} by {}, about {:.0} s",
         arguments.model,
-        stage.triangles.len(),
-        arguments.frames,
-        all.len(),
+        count(stage.triangles.len(), "triangle", "triangles"),
+        count(arguments.frames as usize, "frame", "frames"),
+        count(all.len(), "kernel", "kernels"),
         (seconds * pixels(stage) / pixels(&small)).ceil()
     );
     Ok(())

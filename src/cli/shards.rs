@@ -14,6 +14,7 @@ use super::{interrupt, progress};
 use crate::experiment::{Plan, is_clock_free, run_shard};
 use crate::level::levels;
 use crate::measure::{Environment, WallClock};
+use crate::report::count;
 use crate::stability::Sweep;
 
 /// The circumstances of work that needs no clock: nothing is pinned.
@@ -66,8 +67,8 @@ pub fn carry_out(
     let before = folder.open(plans, batch.resume)?;
     let shard = batch.shard.unwrap_or_default();
     say!(
-        "part {shard} of {} experiments, about {} s; results in {}",
-        plans.len(),
+        "part {shard} of {}, about {} s; results in {}",
+        count(plans.len(), "experiment", "experiments"),
         seconds_of_all(plans, sweep, batch.profile.value(), Some(shard)).ceil(),
         folder.path().display()
     );

@@ -13,6 +13,7 @@ use super::show::print;
 use super::sweep::{draw, sweep_into};
 use super::{shards, stability_tables};
 use crate::measure::Environment;
+use crate::report::count;
 use crate::shard::Shard;
 use crate::stability::{Depth, Family, Precision, Sweep, families, forms, known_words};
 use crate::workload::hash::Fnv;
@@ -84,16 +85,17 @@ pub fn run(arguments: &Stability) -> Result<(), Failure> {
     folder.create()?;
     let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
     say!(
-        "{} families, {} forms of kernels{}, about {:.0} s on {processors} processors; results in {}",
-        sweep.families.len(),
-        sweep.forms.len(),
+        "{}, {} of kernels{}, about {:.0} s on {}; results in {}",
+        count(sweep.families.len(), "family", "families"),
+        count(sweep.forms.len(), "form", "forms"),
         arguments.shard.map_or(String::new(), |shard| format!(" (part {shard} of them)")),
         sweep.seconds(processors).ceil(),
+        count(processors, "processor", "processors"),
         folder.path().display()
     );
     let outcome = sweep_into(&folder, &sweep)?;
     if outcome.complete && !folder.is_of_shard() {
-        say!("{} figures", draw(&folder, &outcome)?);
+        say!("{}", count(draw(&folder, &outcome)?, "figure", "figures"));
     }
     match arguments.format {
         Format::Text => write!(std::io::stdout(), "{}", stability_tables::text(&outcome.rows))?,

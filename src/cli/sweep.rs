@@ -9,6 +9,7 @@ use super::stored::workload_hash;
 use super::{interrupt, progress};
 use crate::chart::stability_figures;
 use crate::experiment::Profile;
+use crate::report::count;
 use crate::results::{About, Chapter, ROWS, TABLE};
 use crate::shard::Shard;
 use crate::spread::Watch;
@@ -60,7 +61,7 @@ pub fn sweep_into(folder: &Folder, sweep: &Sweep) -> Result<Outcome, Failure> {
     bar.finish_and_clear();
     save(folder, &outcome, sweep)?;
     let seconds = start.elapsed().as_secs_f64();
-    say!("{EXPERIMENT}: {} rows, {seconds:.1} s", outcome.rows.len());
+    say!("{EXPERIMENT}: {}, {seconds:.1} s", count(outcome.rows.len(), "row", "rows"));
     Ok(outcome)
 }
 

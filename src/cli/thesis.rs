@@ -11,29 +11,40 @@ use super::failure::Failure;
 use super::show::{Sheet, print};
 use super::slices::Slices;
 use super::thesis_asked::{Asked, checked};
-use super::{interrupt, progress};
-use crate::experiment::{BEYOND, PairsWorkload, Scene, beyond_prediction, put_percent_slower};
+use super::{interrupt, lock, progress};
+use crate::experiment::{BEYOND, Scene, beyond_prediction, put_percent_slower};
 use crate::job::{Block, Job, Tally};
 use crate::measure::{Clock, Order, WallClock};
 use crate::registry::Variant;
 use crate::table::Row;
-use crate::workload::{Pcg, QueryKind, Winding};
+use crate::workload::{PairSpec, Pairs, Pcg, WorkloadError};
 
 /// Checks everything, then runs the thesis's test and prints its table.
 pub fn run(arguments: &Thesis) -> Result<(), Failure> {
     let Asked { densities, chosen, count, slices } = checked(arguments)?;
+    for density in &densities {
+        let refused = |error: WorkloadError| Failure::Usage(error.to_string());
+        spec(arguments, count, *density).check().map_err(refused)?;
+    }
+    let _lock = lock::take()?;
     let cancel = interrupt::flag();
     let bar = progress::bar(densities.len().saturating_mul(slices.number()));
     let mut rows = Vec::new();
+    // Until a density is done there is nothing to show: drawing and checking millions of pairs need not
+    // come to an end first.
+    interrupt::end_at_once(true);
     for density in &densities {
-        let scene = scene(arguments, count, *density)?;
-        if rows.is_empty() {
-            warn_of_prediction(arguments.order.value(), &scene, chosen.len());
-        }
-        match measure(arguments, &chosen, &scene, slices, (&bar, cancel)) {
+        let measured = scene(arguments, count, *density, cancel).and_then(|scene| {
+            if rows.is_empty() {
+                warn_of_prediction(arguments.order.value(), &scene, chosen.len());
+            }
+            measure(arguments, &chosen, &scene, slices, (&bar, cancel))
+        });
+        match measured {
             Err(Failure::Interrupted) => break,
             measured => rows.extend(measured?),
         }
+        interrupt::end_at_once(false);
     }
     bar.finish_and_clear();
     put_percent_slower(&mut rows);
@@ -50,21 +61,22 @@ fn warn_of_prediction(order: Order, scene: &Scene, kernels: usize) {
     }
 }
 
-fn scene(arguments: &Thesis, count: usize, density: f64) -> Result<Scene, Failure> {
-    let workload = PairsWorkload {
-        count,
-        reshuffled_count: count,
-        density: vec![density],
-        query: QueryKind::Line,
-        winding: Winding::Natural,
-        generator: arguments.generator.value(),
-        orders: vec![arguments.order.value()],
-        seconds_of_tests: None,
-        errors: None,
-        stiff: None,
-    };
-    Scene::pairs(&workload, density, arguments.order.value(), arguments.seed)
-        .map_err(|error| Failure::Usage(error.to_string()))
+fn spec(arguments: &Thesis, count: usize, density: f64) -> PairSpec {
+    let generator = arguments.generator.value();
+    PairSpec { generator, ..PairSpec::new(count, density, arguments.seed) }
+}
+
+fn scene(
+    arguments: &Thesis,
+    count: usize,
+    density: f64,
+    cancel: &AtomicBool,
+) -> Result<Scene, Failure> {
+    match Pairs::draw_unless(spec(arguments, count, density), cancel) {
+        Err(WorkloadError::Cancelled) => Err(Failure::Interrupted),
+        Err(error) => Err(Failure::Usage(error.to_string())),
+        Ok(pairs) => Ok(Scene::of_pairs(pairs)),
+    }
 }
 
 /// A kernel on a scene, checked: its answers are those that `expected` sums up.
@@ -85,15 +97,16 @@ fn measure(
     slices: Slices,
     (bar, cancel): (&ProgressBar, &AtomicBool),
 ) -> Result<Vec<Row>, Failure> {
-    let mut contenders = contenders(chosen, scene)?;
+    let mut contenders = contenders(chosen, scene, cancel)?;
     let mut clock = WallClock::new();
     let mut shuffler = Pcg::stream(arguments.seed, SHUFFLE);
     let number = contenders.len();
     for (turn, block) in slices.enumerate() {
-        if cancel.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted);
-        }
         for place in 0..number {
+            // Of a large set, a new order alone takes a second.
+            if cancel.load(Ordering::Relaxed) {
+                return Err(Failure::Interrupted);
+            }
             let contender = &mut contenders[(turn + place) % number];
             if slices.order == Order::Reshuffled {
                 let items = u32::try_from(scene.rays.len()).unwrap_or(u32::MAX);
@@ -119,10 +132,14 @@ fn measure(
 fn contenders(
     chosen: &[(String, &'static Variant)],
     scene: &Scene,
+    cancel: &AtomicBool,
 ) -> Result<Vec<Contender>, Failure> {
     let mut contenders = Vec::new();
     let mut wrong = Vec::new();
     for (word, variant) in chosen {
+        if !scene.solve_unless(variant, cancel) || cancel.load(Ordering::Relaxed) {
+            return Err(Failure::Interrupted);
+        }
         let Some(mut job) = scene.bind(variant) else {
             return Err(Failure::Usage(format!("--kernels: '{word}' does not run on pairs")));
         };

@@ -1,6 +1,8 @@
 //! Runs that are not finished: their journal, and what is said of them.
 
 use std::collections::BTreeMap;
+use std::ffi::{OsStr, OsString};
+use std::fmt::Write as _;
 use std::io::Write;
 use std::path::Path;
 
@@ -12,6 +14,7 @@ use super::rounds::RoundsLog;
 use super::show::{Sheet, print, rounded};
 use crate::experiment::Keep;
 use crate::measure::{Protocol, RoundTrace};
+use crate::report::count;
 use crate::table::{Journal, Journaled, Row, TableError};
 
 /// A journal, with what it held when the run was gone on with.
@@ -74,7 +77,7 @@ pub fn print_rows(rows: &[Row], file: &Path) -> Result<(), Failure> {
     }
     let mut out = std::io::stdout().lock();
     match measured.len() - shown.len() {
-        0 => writeln!(out, "{} rows in {}", measured.len(), file.display())?,
+        0 => writeln!(out, "{} in {}", count(measured.len(), "row", "rows"), file.display())?,
         more => writeln!(out, "... and {more} more in {}", file.display())?,
     }
     Ok(())
@@ -95,24 +98,43 @@ fn ratio(row: &Row) -> String {
 }
 
 /// The command that goes on with the run of these arguments in a folder.
-pub fn resume_command(arguments: impl Iterator<Item = String>, out: &Path) -> String {
-    let mut words: Vec<String> = arguments.collect();
-    if !words.iter().any(|word| word == "--out" || word.starts_with("--out=")) {
-        words.extend(["--out".to_owned(), out.display().to_string()]);
+pub fn resume_command(arguments: impl Iterator<Item = OsString>, out: &Path) -> String {
+    let mut words: Vec<OsString> = arguments.collect();
+    let is_out =
+        |word: &OsString| word == "--out" || word.as_encoded_bytes().starts_with(b"--out=");
+    if !words.iter().any(is_out) {
+        words.extend(["--out".into(), out.as_os_str().to_owned()]);
     }
     if !words.iter().any(|word| word == "--resume") {
-        words.push("--resume".to_owned());
+        words.push("--resume".into());
     }
     words.iter().map(|word| quoted(word)).collect::<Vec<_>>().join(" ")
 }
 
-/// A word as a shell takes it.
-fn quoted(word: &str) -> String {
+/// A word as a shell takes it: byte by byte (`$'...'` of bash, zsh, ksh and POSIX of 2024) where it is no
+/// text, or holds what a terminal would take for itself.
+fn quoted(word: &OsStr) -> String {
+    let text = word.to_str().filter(|text| !text.contains(char::is_control));
+    let Some(word) = text else { return in_bytes(word.as_encoded_bytes()) };
     let plain = |c: char| c.is_alphanumeric() || "-_./=:,+@%".contains(c);
     if !word.is_empty() && word.chars().all(plain) {
         return word.to_owned();
     }
     format!("'{}'", word.replace('\'', r"'\''"))
+}
+
+fn in_bytes(bytes: &[u8]) -> String {
+    let mut word = String::from("$'");
+    for byte in bytes {
+        match byte {
+            b'\'' | b'\\' => word.extend(['\\', char::from(*byte)]),
+            b' '..=b'~' => word.push(char::from(*byte)),
+            // Two digits, so that none that follows is taken for one of them. A string takes all.
+            _ => write!(word, "\\x{byte:02x}").unwrap_or_default(),
+        }
+    }
+    word.push('\'');
+    word
 }
 
 #[cfg(test)]
@@ -122,7 +144,7 @@ mod tests {
     #[test]
     fn the_command_is_the_same_with_folder_and_resume() {
         let command = |words: &str| {
-            let words = words.split(' ').map(str::to_owned);
+            let words = words.split(' ').map(OsString::from);
             resume_command(words, Path::new("results/it's"))
         };
         assert_eq!(
@@ -132,6 +154,23 @@ mod tests {
         for same in ["ray_test reproduce --out=x --resume", "ray_test run a b --resume --out x"] {
             assert_eq!(command(same), same);
         }
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_path_that_is_no_text_comes_back_from_a_shell_as_it_was() {
+        use std::os::unix::ffi::OsStrExt;
+
+        let out = |bytes: &[u8]| {
+            let words = ["ray_test", "run", "a.toml"].map(OsString::from).into_iter();
+            resume_command(words, Path::new(OsStr::from_bytes(bytes)))
+        };
+        assert_eq!(out(b"a\xffb"), r"ray_test run a.toml --out $'a\xffb' --resume");
+        assert_eq!(out(b"it's \\ \n"), r"ray_test run a.toml --out $'it\'s \\ \x0a' --resume");
+        assert_eq!(out("ö".as_bytes()), "ray_test run a.toml --out ö --resume");
+        let own = [b"ray_test".as_slice(), b"--out=\xfe", b"--resume"];
+        let own = own.map(|word| OsStr::from_bytes(word).to_owned()).into_iter();
+        assert_eq!(resume_command(own, Path::new("x")), r"ray_test $'--out=\xfe' --resume");
     }
 
     #[test]

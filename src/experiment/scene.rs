@@ -9,6 +9,7 @@ use crate::job::Job;
 use crate::measure::Order;
 use crate::registry::Variant;
 use crate::workload::{NearestSet, PairSpec, Pairs, QueryKind, Ray, Triangle, WorkloadError};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What rows say of a workload.
 #[derive(Clone, Debug, Default)]
@@ -176,6 +177,23 @@ impl Scene {
         }
     }
 
+    /// Computes the exact answers that a variant on pairs is judged by, where that was not done before:
+    /// of millions, it takes many seconds. `false` once cancelled; then there are none.
+    pub fn solve_unless(&self, variant: &Variant, cancel: &AtomicBool) -> bool {
+        let Exactly::Pairs { truths, segments } = &self.truth else { return true };
+        let is_segment = variant.axes.kernel == SEGMENT_KERNEL;
+        let place = if is_segment { segments } else { truths };
+        let one = if is_segment { Truth::of_segment } else { Truth::of };
+        if place.get().is_some() {
+            return true;
+        }
+        let pairs = self.rays.iter().zip(&self.triangles);
+        let solved = pairs
+            .map(|(ray, triangle)| (!cancel.load(Ordering::Relaxed)).then(|| one(ray, triangle)));
+        // There was nothing in its place.
+        solved.collect::<Option<Vec<Truth>>>().is_some_and(|solved| place.set(solved).is_ok())
+    }
+
     fn solve(&self, one: fn(&Ray, &Triangle) -> Truth) -> Vec<Truth> {
         self.rays.iter().zip(&self.triangles).map(|(ray, triangle)| one(ray, triangle)).collect()
     }
@@ -190,5 +208,32 @@ pub fn reported(variant: &Variant) -> Reported {
         uv: matches!(axes.output, "tuv" | "surface"),
         surface: axes.output == "surface",
         culls: axes.cull == "on",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiment::select;
+
+    #[test]
+    fn what_is_solved_ahead_is_what_is_judged_by_and_what_is_cancelled_is_not_there() {
+        let pattern = "^(wald|chirkov)/f32/single/sse2/early/last/plain/tuv$".to_owned();
+        let variants = select(&[pattern]).expect("it matches");
+        assert_eq!(variants.len(), 2);
+        for variant in variants {
+            let scene = || Scene::of_pairs(Pairs::draw(PairSpec::new(60, 0.5, 1)).expect("plain"));
+            let judged = |scene: &Scene| {
+                let mut job = scene.bind(variant).expect("it runs on pairs");
+                scene.judge(variant, job.as_mut())
+            };
+            let (ahead, cancelled) = (scene(), scene());
+            assert!(ahead.solve_unless(variant, &AtomicBool::new(false)));
+            // What is there need not be computed again.
+            assert!(ahead.solve_unless(variant, &AtomicBool::new(true)));
+            assert!(!cancelled.solve_unless(variant, &AtomicBool::new(true)));
+            assert_eq!(judged(&ahead), judged(&scene()));
+            assert_eq!(judged(&cancelled), judged(&scene()));
+        }
     }
 }

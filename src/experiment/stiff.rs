@@ -73,7 +73,7 @@ pub fn rows(
             return Vec::new();
         }
         let forms: Vec<Form> = tasks.iter().map(|(_, form)| form.clone()).collect();
-        let rows = errors_at(family, *knob, *precision, seed, workload.cases, &forms);
+        let rows = errors_at((family, *knob), *precision, (seed, workload.cases), &forms, cancel);
         let placed = |row: Row| {
             let task = tasks.iter().find(|(_, form)| form.asked.id() == row.id)?.0;
             Some((task as u64, Row { experiment: experiment.into(), ..row }))

@@ -1,5 +1,7 @@
 //! A ruler for cycles on machines without counters.
 
+use super::calibrate::timed;
+use super::clock::Clock;
 use crate::job::{Answer, Block, Job, Tally};
 use std::hint::black_box;
 
@@ -60,9 +62,37 @@ fn advance(mut x: u32, k: u32, steps: u64) -> u32 {
     x
 }
 
+/// Steps of a pass of [`cycles_per_ns`]: two million cycles, 0.7 ms at 3 GHz, so that a clock a thousand
+/// times too slow still sees hundreds of nanoseconds.
+const STEPS: usize = 1 << 20;
+/// Passes: the fastest counts, since what disturbs one only makes it longer.
+const PASSES: usize = 5;
+
+/// Cycles in a nanosecond of a clock, at least and at most, as far as a clock with steps of so many
+/// nanoseconds can tell: what passed is within a step of what it says.
+pub fn cycles_per_ns(clock: &mut dyn Clock, resolution_ns: u64) -> (f64, f64) {
+    let mut chain = Chain::new(STEPS);
+    let block = Block::whole(&chain);
+    let passes = (0..PASSES).map(|_| timed(&mut chain, block, clock).0);
+    let (ns, step) = (passes.min().unwrap_or(0) as f64, resolution_ns as f64);
+    let cycles = STEPS as f64 * CYCLES_PER_STEP;
+    (cycles / (ns + step), cycles / (ns - step).max(0.0))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::ScriptedClock;
+
+    #[test]
+    fn the_pace_of_a_clock_is_known_to_within_its_steps() {
+        // Each reading moves the clock on by so much, and so is a pass as long.
+        let cycles = 2.0 * (1u64 << 20) as f64;
+        let pace = |ns: u64, resolution| cycles_per_ns(&mut ScriptedClock::new(ns), resolution);
+        assert_eq!(pace(1000, 24), (cycles / 1024.0, cycles / 976.0));
+        // It says that no time has passed, but for a step: there may have been any number of cycles.
+        assert_eq!(pace(0, 1 << 20), (2.0, f64::INFINITY));
+    }
 
     #[test]
     fn thirty_two_steps_flip_all_or_nothing() {

@@ -45,7 +45,7 @@ mod windows;
 
 pub use affinity::{alike_cpus, allowed_cpus, anywhere, run_anywhere};
 pub use build_info::BuildInfo;
-pub use chain::{CYCLES_PER_STEP, Chain};
+pub use chain::{CYCLES_PER_STEP, Chain, cycles_per_ns};
 pub use clock::{Clock, ScriptedClock, TimerFigures, WallClock, timer_figures};
 pub use contestant::{Contestant, Expected, MOST_SUBJECTS, PLACEBOS, Role, yardsticks};
 pub use counters::{Counters, Counts, HardwareCounters, NoCounters, ScriptedCounters};

@@ -25,6 +25,7 @@ mod trust;
 mod words;
 
 pub use numbers::figure_csv;
+pub(crate) use words::count;
 
 use crate::chart::ChartError;
 use crate::claims::Finding;

@@ -45,7 +45,7 @@ pub(super) fn first_of(names: &[String], most: usize) -> String {
 }
 
 /// `1 row`, `2 rows`
-pub(super) fn count(number: usize, one: &str, several: &str) -> String {
+pub(crate) fn count(number: usize, one: &str, several: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { several })
 }
 

@@ -9,22 +9,27 @@ use super::rows;
 use super::sweep::Setting;
 use crate::oracle::Query;
 use crate::table::Row;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The rows of a setting: one a form.
+/// The rows of a setting: one a form. `None` once cancelled, which is looked at before every form.
 pub fn rows_of(
     family: &Family,
     transform: Transform,
     setting: &Setting,
     forms: &[Form],
-) -> Vec<Row> {
+    cancel: &AtomicBool,
+) -> Option<Vec<Row>> {
     let mut draw = Draw::new(setting.seed, family.id, setting.knob, setting.precision);
     let queries: Vec<Query> =
         (0..setting.count).map(|_| query(transform, &mut draw, setting.knob)).collect();
     let usual = |form: &&Form| form.precision == setting.precision && !form.flushes();
     let row = |form: &Form| {
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
         let mut row = rows::of_setting(family, setting, form);
         put(&mut row, form, &queries, (transform, setting.knob), &draw);
-        row
+        Some(row)
     };
     forms.iter().filter(usual).map(row).collect()
 }

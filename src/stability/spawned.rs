@@ -11,6 +11,7 @@ use crate::job::Answer;
 use crate::oracle::{Query, classify};
 use crate::table::Row;
 use glam::DVec3;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Offsets that are tried: so many powers of two of the unit roundoff, from a quarter on.
 const OFFSETS: i32 = 26;
@@ -24,26 +25,38 @@ struct Bounce {
     way: DVec3,
 }
 
-/// The rows of a setting: one a form.
-pub fn rows_of(family: &Family, setting: &Setting, forms: &[Form]) -> Vec<Row> {
+/// The rows of a setting: one a form. `None` once cancelled, which is looked at before every case
+/// that is drawn and before every form.
+pub fn rows_of(
+    family: &Family,
+    setting: &Setting,
+    forms: &[Form],
+    cancel: &AtomicBool,
+) -> Option<Vec<Row>> {
     let mut draw = Draw::new(setting.seed, family.id, setting.knob, setting.precision);
-    let bounces = bounces(&mut draw, setting);
+    let bounces = bounces(&mut draw, setting, cancel)?;
     let usual = |form: &&Form| form.precision == setting.precision && !form.flushes();
     let row = |form: &Form| {
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
         let mut row = rows::of_setting(family, setting, form);
         put(&mut row, form, &bounces, &draw);
-        row
+        Some(row)
     };
     forms.iter().filter(usual).map(row).collect()
 }
 
-/// Exact hits of the family `far`, at that distance.
-fn bounces(draw: &mut Draw, setting: &Setting) -> Vec<Bounce> {
+/// Exact hits of the family `far`, at that distance; `None` once cancelled.
+fn bounces(draw: &mut Draw, setting: &Setting, cancel: &AtomicBool) -> Option<Vec<Bounce>> {
     let Some(Work::Aimed(generator)) = find("far").map(|family| family.work) else {
-        return Vec::new();
+        return Some(Vec::new());
     };
     let mut bounces = Vec::new();
     for _ in 0..setting.count {
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
         let query = generator(draw, setting.knob, true);
         let [a, b, c] = query.triangle.map(DVec3::from_array);
         let normal = (b - a).cross(c - a).normalize();
@@ -55,7 +68,7 @@ fn bounces(draw: &mut Draw, setting: &Setting) -> Vec<Bounce> {
             bounces.push(Bounce { query, normal, way });
         }
     }
-    bounces
+    Some(bounces)
 }
 
 fn put(row: &mut Row, form: &Form, bounces: &[Bounce], draw: &Draw) {

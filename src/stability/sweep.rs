@@ -9,6 +9,7 @@ use super::{cells, knee, mesh_rays, metamorphic, spawned};
 use crate::shard::Shard;
 use crate::spread::{Watch, pieces};
 use crate::table::Row;
+use std::sync::atomic::AtomicBool;
 
 /// How much is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -152,11 +153,12 @@ impl Sweep {
         order.sort_by(|a, b| seconds[*b].total_cmp(&seconds[*a]).then(a.cmp(b)));
         let done = pieces(settings.len(), watch, |piece| {
             let (family, setting) = &settings[order[piece]];
-            self.rows_of(&self.families[*family], setting)
+            self.rows_of(&self.families[*family], setting, watch.cancel)
         });
         let mut by_setting: Vec<Option<Vec<Row>>> = vec![None; settings.len()];
         for (place, rows) in order.into_iter().zip(done) {
-            by_setting[place] = rows;
+            // A setting in the midst of which it was cancelled is not done.
+            by_setting[place] = rows.flatten();
         }
         let complete = by_setting.iter().all(Option::is_some);
         let mut rows: Vec<Row> = by_setting.into_iter().flatten().flatten().collect();
@@ -167,13 +169,17 @@ impl Sweep {
         Outcome { places: places(&self.families, &self.forms, &rows), rows, complete }
     }
 
-    fn rows_of(&self, family: &Family, setting: &Setting) -> Vec<Row> {
+    /// The rows of a setting; `None` once cancelled: at a thorough depth a setting takes half a
+    /// minute, so the flag is looked at within it, too.
+    fn rows_of(&self, family: &Family, setting: &Setting, cancel: &AtomicBool) -> Option<Vec<Row>> {
         let forms = self.asked();
         match family.work {
-            Work::Aimed(_) | Work::Free(_) => cells::rows_of(family, setting, forms),
-            Work::Mesh(kind) => mesh_rays::rows_of(family, kind, setting, forms),
-            Work::Spawned => spawned::rows_of(family, setting, forms),
-            Work::Metamorphic(transform) => metamorphic::rows_of(family, transform, setting, forms),
+            Work::Aimed(_) | Work::Free(_) => cells::rows_of(family, setting, forms, cancel),
+            Work::Mesh(kind) => mesh_rays::rows_of(family, kind, setting, forms, cancel),
+            Work::Spawned => spawned::rows_of(family, setting, forms, cancel),
+            Work::Metamorphic(transform) => {
+                metamorphic::rows_of(family, transform, setting, forms, cancel)
+            }
         }
     }
 }

@@ -3,10 +3,13 @@
 use super::family::Family;
 use super::sweep::Sweep;
 use super::*;
+use crate::job::Answer;
+use crate::oracle::Query;
+use crate::registry::Asked;
 use crate::shard::Shard;
 use crate::spread::Watch;
 use crate::table::Row;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 fn sweep(ids: &[&str], kernels: &[&str], seed: u64) -> Sweep {
     let families: Vec<Family> = ids.iter().map(|id| find(id).expect(id)).collect();
@@ -59,6 +62,34 @@ fn what_is_cancelled_is_not_complete() {
     let watch = Watch { cancel: &cancel, done: &|_| {}, threads: None };
     let outcome = sweep(&["grazing"], &["wald"], 1).run(&watch);
     assert!(!outcome.complete && outcome.rows.is_empty());
+}
+
+static STOP: AtomicBool = AtomicBool::new(false);
+
+/// A kernel that hits nothing, and is told to end when it is asked.
+fn stopping(_: &Query) -> Answer {
+    STOP.store(true, Ordering::Relaxed);
+    Answer::default()
+}
+
+#[test]
+fn a_setting_that_was_begun_is_ended_within_it() {
+    // One of each kind of work.
+    for id in ["grazing", "lattice-mesh", "spawned-rays", "permuted-axes"] {
+        STOP.store(false, Ordering::Relaxed);
+        let mut sweep = sweep(&[id], &["wald"], 1);
+        let wald = sweep.forms.iter().find(|form| !form.flushes()).expect("the usual one");
+        let asked = Asked { axes: wald.asked.axes.clone(), ask: stopping, ..*wald.asked };
+        let form = Form { asked: Box::leak(Box::new(asked)), ..wald.clone() };
+        sweep.forms = vec![form.clone(), form];
+        let begun = AtomicUsize::new(0);
+        let count = |_: usize| {
+            begun.fetch_add(1, Ordering::Relaxed);
+        };
+        let outcome = sweep.run(&Watch { cancel: &STOP, done: &count, threads: Some(1) });
+        assert!(STOP.load(Ordering::Relaxed) && begun.into_inner() == 1, "{id}");
+        assert!(!outcome.complete && outcome.rows.is_empty(), "{id}");
+    }
 }
 
 #[test]

@@ -52,12 +52,21 @@ impl Serialize for Cell<'_> {
     }
 }
 
+/// What numbers a column has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bound {
+    /// Any.
+    None,
+    /// None below 0: times, rates, shares, ratios of such, and how large an error is.
+    NotNegative,
+}
+
 /// What a field of a row can be.
 pub(super) trait Field: Sized {
     /// The value of the field.
     fn cell(&self) -> Cell<'_>;
-    /// The field from its text; the error says what is allowed.
-    fn parse(text: &str) -> Result<Self, &'static str>;
+    /// The field from its text; the error says what is allowed. The bound is for numbers with a sign.
+    fn parse(text: &str, bound: Bound) -> Result<Self, &'static str>;
 }
 
 impl Field for String {
@@ -65,7 +74,7 @@ impl Field for String {
         if self.is_empty() { Cell::Missing } else { Cell::Text(self) }
     }
 
-    fn parse(text: &str) -> Result<Self, &'static str> {
+    fn parse(text: &str, _: Bound) -> Result<Self, &'static str> {
         Ok(text.to_owned())
     }
 }
@@ -75,7 +84,7 @@ impl Field for Option<u64> {
         self.map_or(Cell::Missing, Cell::Count)
     }
 
-    fn parse(text: &str) -> Result<Self, &'static str> {
+    fn parse(text: &str, _: Bound) -> Result<Self, &'static str> {
         if text.is_empty() {
             return Ok(None);
         }
@@ -88,12 +97,18 @@ impl Field for Option<f64> {
         self.filter(|number| number.is_finite()).map_or(Cell::Missing, Cell::Number)
     }
 
-    fn parse(text: &str) -> Result<Self, &'static str> {
+    fn parse(text: &str, bound: Bound) -> Result<Self, &'static str> {
         if text.is_empty() {
             return Ok(None);
         }
         // Rust reads "NaN" and "inf" as numbers; the format has neither.
         let number = text.parse().ok().filter(|number: &f64| number.is_finite());
-        number.map(Some).ok_or("a finite number, or nothing")
+        match bound {
+            Bound::None => number.map(Some).ok_or("a finite number, or nothing"),
+            Bound::NotNegative => {
+                let number = number.filter(|number| *number >= 0.0);
+                number.map(Some).ok_or("a finite number that is not negative, or nothing")
+            }
+        }
     }
 }

@@ -1,9 +1,12 @@
 //! One list of columns makes the row, its header and its access by name.
 
 /// Declares [`Row`], its header and its access by column name from one list, so that the order in
-/// the file, the names and the fields cannot drift apart.
+/// the file, the names and the fields cannot drift apart. A number below 0 is read in no column but
+/// those that stand there with `[signed]`.
 macro_rules! columns {
-    ([] { $($(#[$doc:meta])* $name:ident: $kind:ty,)* }) => {
+    (@bound) => { Bound::NotNegative };
+    (@bound signed) => { Bound::None };
+    ([] { $($(#[$doc:meta])* $name:ident: $kind:ty $([$signed:ident])?,)* }) => {
         /// One line of `rows.csv`. An empty string and `None` are missing values.
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct Row { $($(#[$doc])* pub $name: $kind,)* }
@@ -24,7 +27,9 @@ macro_rules! columns {
             /// A column that this version does not know is ignored: a later version may.
             pub fn set(&mut self, column: &str, text: &str) -> Result<(), &'static str> {
                 match column {
-                    $(stringify!($name) => self.$name = Field::parse(text)?,)*
+                    $(stringify!($name) => {
+                        self.$name = Field::parse(text, columns!(@bound $($signed)?))?;
+                    })*
                     _ => {}
                 }
                 Ok(())

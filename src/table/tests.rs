@@ -31,7 +31,7 @@ fn rows() -> Vec<Row> {
         density: Some(0.1 + 0.2),
         ns_per_test: Some(f64::MIN_POSITIVE),
         ns_high: Some(f64::MAX),
-        ratio_low: Some(-1.0 / 3.0),
+        price_low: Some(-1.0 / 3.0),
         err_t_mean_rel: Some(1.2345678901234567e-14),
         seed: Some(u64::MAX),
         code: Some(0),
@@ -101,7 +101,14 @@ fn what_is_not_finite_is_written_as_missing() {
 fn a_bad_cell_is_named_with_what_is_allowed() {
     let folder = Folder::new("bad-cell");
     let path = folder.file("rows.csv");
-    for (column, bad) in [("density", "NaN"), ("density", "half"), ("rounds", "-1")] {
+    for (column, bad) in [
+        ("density", "NaN"),
+        ("density", "half"),
+        ("rounds", "-1"),
+        ("ns_per_test", "-1"),
+        ("ratio_low", "-1e-300"),
+        ("price", "inf"),
+    ] {
         let row: Vec<_> =
             COLUMNS.iter().map(|name| if *name == column { bad } else { "" }).collect();
         let good = ",".repeat(COLUMNS.len() - 1);
@@ -116,6 +123,35 @@ fn a_bad_cell_is_named_with_what_is_allowed() {
     fs::write(&path, json.to_string()).unwrap();
     let message = read_json(&path).unwrap_err().to_string();
     assert!(message.contains("row 1, column 'hits': '1.5' is not allowed"), "{message}");
+    json["rows"][0]["hits"] = serde_json::json!(null);
+    json["rows"][0]["ns_per_test"] = serde_json::json!(-1.0);
+    fs::write(&path, json.to_string()).unwrap();
+    let message = read_json(&path).unwrap_err().to_string();
+    let place = "row 1, column 'ns_per_test': '-1.0' is not allowed";
+    assert!(message.contains(place) && message.contains("not negative"), "{message}");
+}
+
+#[test]
+fn what_can_be_negative_is_read_and_nothing_else() {
+    let takes = |column: &str, text: &str| Row::default().set(column, text).is_ok();
+    let numbers = COLUMNS.iter().copied().filter(|column| !takes(column, "word"));
+    let (signed, others): (Vec<&str>, Vec<&str>) = numbers.partition(|name| takes(name, "-1"));
+    // Differences of times, exponents, and settings that are drawn on an axis.
+    let expected = [
+        "cycles_per_test",
+        "percent_slower",
+        "price",
+        "price_low",
+        "price_high",
+        "cycles_low",
+        "cycles_high",
+        "knob",
+        "knee",
+        "growth",
+        "intersection_percent",
+    ];
+    assert_eq!(signed, expected);
+    assert!(others.iter().all(|name| takes(name, "0") && takes(name, "1") && takes(name, "")));
 }
 
 #[test]

@@ -69,6 +69,9 @@ pub enum WorkloadError {
         /// Misses that were to be found.
         misses_wanted: usize,
     },
+    /// It was told to end while it was drawn.
+    #[error("drawing it was interrupted")]
+    Cancelled,
     /// Rays whose answers are beyond rounding were too rare.
     #[error("after {attempts} attempts only {rays} of {wanted} rays have answers beyond rounding")]
     Rays {

@@ -7,6 +7,7 @@ use super::{Generator, Ray, Triangle, WorkloadError, hash, thesis};
 use crate::oracle::{Query, classify};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Most pairs of one set: 1.6 GB of rays and triangles.
 const MOST_PAIRS: u64 = 1 << 24;
@@ -109,6 +110,15 @@ impl PairSpec {
     pub fn hits(&self) -> Result<usize, WorkloadError> {
         quota("number of pairs", self.count, self.density)
     }
+
+    /// Refuses what can be seen to be wrong before anything is drawn.
+    ///
+    /// # Errors
+    /// For a count, a density or a seed that is not allowed.
+    pub fn check(&self) -> Result<(), WorkloadError> {
+        self.hits()?;
+        self.generator.start(self.seed).map(drop)
+    }
 }
 
 /// Number of `count` things that a density asks for, rounded half up.
@@ -156,8 +166,16 @@ impl Pairs {
     /// For a specification that is not allowed, or (which a sound generator will not see) a quota
     /// that 10 000 + 64 x count attempts did not fill.
     pub fn draw(spec: PairSpec) -> Result<Self, WorkloadError> {
+        Self::draw_unless(spec, &AtomicBool::new(false))
+    }
+
+    /// The same, unless it is cancelled meanwhile: the largest sets take half a minute.
+    ///
+    /// # Errors
+    /// As [`Pairs::draw`]; [`WorkloadError::Cancelled`] once `cancel` is set.
+    pub fn draw_unless(spec: PairSpec, cancel: &AtomicBool) -> Result<Self, WorkloadError> {
         let hits_wanted = spec.hits()?;
-        let mut bins = Bins::draw(&spec, hits_wanted)?;
+        let mut bins = Bins::draw(&spec, hits_wanted, cancel)?;
         let mut order = Pcg::stream(spec.seed, ORDER);
         order.shuffle(&mut bins.hits);
         order.shuffle(&mut bins.misses);
@@ -185,7 +203,11 @@ struct Bins {
 }
 
 impl Bins {
-    fn draw(spec: &PairSpec, hits_wanted: usize) -> Result<Self, WorkloadError> {
+    fn draw(
+        spec: &PairSpec,
+        hits_wanted: usize,
+        cancel: &AtomicBool,
+    ) -> Result<Self, WorkloadError> {
         let misses_wanted = spec.count - hits_wanted;
         let most_attempts = 10_000 + 64 * spec.count as u64;
         let mut source = spec.generator.start(spec.seed)?;
@@ -193,6 +215,9 @@ impl Bins {
         while bins.hits.len() < hits_wanted || bins.misses.len() < misses_wanted {
             if bins.attempts == most_attempts {
                 return Err(bins.shortfall(hits_wanted, misses_wanted));
+            }
+            if cancel.load(Ordering::Relaxed) {
+                return Err(WorkloadError::Cancelled);
             }
             bins.attempts += 1;
             let (ray, triangle) = thesis::draw(&mut source, spec.query);

@@ -115,7 +115,12 @@ fn sets_are_golden() {
 
 #[test]
 fn bad_specifications_are_refused_with_what_is_allowed() {
-    let message = |spec: PairSpec| Pairs::draw(spec).unwrap_err().to_string();
+    let message = |spec: PairSpec| {
+        let refused = Pairs::draw(spec).unwrap_err().to_string();
+        assert_eq!(spec.check().unwrap_err().to_string(), refused);
+        refused
+    };
+    assert_eq!(PairSpec::new(10, 0.5, 1).check(), Ok(()));
     for density in [f64::NAN, -0.1, 1.5, f64::INFINITY] {
         let text = message(PairSpec::new(10, density, 1));
         assert_eq!(text, format!("density is {density}; allowed is a number from 0 to 1"));
@@ -127,4 +132,16 @@ fn bad_specifications_are_refused_with_what_is_allowed() {
     let generator = Generator::Msvc;
     let seed = PairSpec { generator, ..PairSpec::new(10, 0.5, u64::MAX) };
     assert!(message(seed).starts_with("seed is 18446744073709551615"));
+}
+
+#[test]
+fn a_set_that_is_cancelled_is_none_and_bad_specifications_come_first() {
+    let draw = |spec: PairSpec, cancel: bool| {
+        Pairs::draw_unless(spec, &AtomicBool::new(cancel)).map(|pairs| pairs.hash)
+    };
+    let spec = PairSpec::new(100, 0.5, 1);
+    assert_eq!(draw(spec, true), Err(WorkloadError::Cancelled));
+    assert_eq!(draw(spec, false), Pairs::draw(spec).map(|pairs| pairs.hash));
+    let bad = draw(PairSpec::new(100, 1.5, 1), true);
+    assert_eq!(bad, Err(WorkloadError::Density { value: 1.5 }));
 }

@@ -37,10 +37,16 @@ impl Folder {
         names
     }
 
-    /// Runs `ray_test render` there.
+    /// Beside the folder, so that it is none of its files.
+    fn lock(&self) -> PathBuf {
+        self.0.with_extension("lock")
+    }
+
+    /// Runs `ray_test render` there, with a lock of its own.
     pub fn render(&self, words: &[&str]) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_ray_test"));
         command.arg("render").args(words).current_dir(&self.0);
+        command.env("RAY_TEST_LOCK", self.lock());
         command.output().expect("the program was built for this test")
     }
 
@@ -55,6 +61,7 @@ impl Folder {
 impl Drop for Folder {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.0);
+        let _ = fs::remove_file(self.lock());
     }
 }
 

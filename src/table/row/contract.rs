@@ -51,7 +51,7 @@ macro_rules! contract_columns {
             /// Million tests a second.
             mtests_per_s: Option<f64>,
             /// Processor cycles of a test.
-            cycles_per_test: Option<f64>,
+            cycles_per_test: Option<f64> [signed],
             /// Rounds measured.
             rounds: Option<u64>,
             /// Rounds thrown away as disturbed.

@@ -6,7 +6,7 @@ mod searches;
 mod sweeps;
 mod timing;
 
-use super::cell::{Cell, Field};
+use super::cell::{Bound, Cell, Field};
 use super::columns::columns;
 use contract::contract_columns;
 use exactness::exactness_columns;

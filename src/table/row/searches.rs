@@ -51,7 +51,7 @@ macro_rules! searches_columns {
             /// the other; empty where an interval is on both.
             pays_as_predicted: Option<u64>,
             /// Exponent of the time over the number of triangles, from 100 of them on: 1 is linear.
-            growth: Option<f64>,
+            growth: Option<f64> [signed],
             /// Triangles from which on searching takes less than the list; the least measured number where
             /// that is less already, empty where it never is.
             pays_triangles: Option<f64>,
@@ -62,7 +62,7 @@ macro_rules! searches_columns {
             /// Pictures a second.
             frames_per_s: Option<f64>,
             /// Share of a picture's time that goes into searching for hits.
-            intersection_percent: Option<f64>,
+            intersection_percent: Option<f64> [signed],
             /// Share of the pixels that were filled without a ray.
             filled_percent: Option<f64>,
         } }

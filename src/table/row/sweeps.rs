@@ -10,7 +10,7 @@ macro_rules! sweeps_columns {
             /// Family of cases.
             family: String,
             /// Setting of the family's knob.
-            knob: Option<f64>,
+            knob: Option<f64> [signed],
             /// What the knob is, where the row is about all of its settings; k is one of them.
             knob_name: String,
             /// The form's name in tables and charts: its kernel, and what is unusual about it.
@@ -45,7 +45,7 @@ macro_rules! sweeps_columns {
             /// Double hits in a million rays.
             double_hits_per_million: Option<f64>,
             /// First setting of the knob at which the kernel fails; empty where it never does.
-            knee: Option<f64>,
+            knee: Option<f64> [signed],
             /// Its place in the sweep, 0 the first setting; 1 where there is none.
             knee_share: Option<f64>,
             /// Rays from a computed hit point that hit the same triangle again.

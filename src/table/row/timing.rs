@@ -35,17 +35,17 @@ macro_rules! timing_columns {
             /// Time of tests x repeats.
             seconds: Option<f64>,
             /// (Mean of the kernel's row) / (smallest such mean) - 1, in percent.
-            percent_slower: Option<f64>,
+            percent_slower: Option<f64> [signed],
             /// Mean of `seconds` over the densities, within each order.
             seconds_mean: Option<f64>,
             /// Listings: the kind of operation that is priced.
             priced: String,
             /// What that kind of operation costs, as a share of the test's time.
-            price: Option<f64>,
+            price: Option<f64> [signed],
             /// Lower end of its interval.
-            price_low: Option<f64>,
+            price_low: Option<f64> [signed],
             /// Upper end of its interval.
-            price_high: Option<f64>,
+            price_high: Option<f64> [signed],
             /// `ratio_to_reference` of the first half of the rounds alone.
             ratio_first_half: Option<f64>,
             /// `ratio_to_reference` of the second half of the rounds alone.
@@ -69,9 +69,9 @@ macro_rules! timing_columns {
             /// Where `cycles_per_test` comes from: `counter` or `chain`.
             cycles_source: String,
             /// Lower end of the interval of `cycles_per_test`.
-            cycles_low: Option<f64>,
+            cycles_low: Option<f64> [signed],
             /// Upper end of it.
-            cycles_high: Option<f64>,
+            cycles_high: Option<f64> [signed],
             /// `cycles_per_test` of the first half of the rounds alone.
             cycles_first_half: Option<f64>,
             /// `cycles_per_test` of the second half of the rounds alone.
