@@ -145,11 +145,13 @@ fn clock_runs(clock: &mut dyn Clock, resolution_ns: Option<u64>) -> Result<(), F
              {fewest} to {highest}"
         )
     };
-    match () {
-        () if least > highest => refused(format!("is far too slow ({})", by_it(least))),
-        () if most < fewest => refused(format!("is far too fast ({})", by_it(most))),
-        () => Ok(()),
+    if least > highest {
+        return refused(format!("is far too slow ({})", by_it(least)));
     }
+    if most < fewest {
+        return refused(format!("is far too fast ({})", by_it(most)));
+    }
+    Ok(())
 }
 
 /// Environment variable that sets another patience.
