@@ -1,9 +1,11 @@
 //! The fast path through a hierarchy, at every level, with the kernels that groups are fastest with and
 //! one that is watertight.
+//!
+//! Meshes have triangles that are small beside their coordinates, and the published fourth column of
+//! Baldwin and Weber loses u and v there (see the kernel's weakness): here it is the one from rows, which
+//! costs a test nothing.
 
-use crate::kernels::{
-    About, BaldwinWeber, Fallback, FromPositions, MollerTrumbore, WoopWatertight,
-};
+use crate::kernels::{About, BaldwinWeber, Fallback, FromRows, MollerTrumbore, WoopWatertight};
 use crate::level::{self, Level, On};
 use crate::number::Extremes;
 use crate::policy::{Between, Compare, Early, Form, Last, Rounding, Tuv, TwoSided};
@@ -32,7 +34,7 @@ pub struct WideForm {
 pub fn wide_forms() -> Vec<WideForm> {
     let mut all = Vec::new();
     kernel::<MollerTrumbore>(&mut all);
-    kernel::<BaldwinWeber<FromPositions>>(&mut all);
+    kernel::<BaldwinWeber<FromRows>>(&mut all);
     kernel::<WoopWatertight<Fallback>>(&mut all);
     all
 }

@@ -2,6 +2,7 @@
 #![cfg(feature = "cli")]
 
 mod scenes;
+mod small;
 
 use ray_test::oracle::nearest;
 use ray_test::registry::{LeafForm, find, leaves, wide_forms};
