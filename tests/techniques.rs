@@ -61,7 +61,10 @@ fn safe_sign_bits_decide_as_comparisons_do() {
             let between = Compare::range::<Between, f32>(t, lower, upper);
             let safe = SignBitsSafe::range::<Between, f32>(t, lower, upper);
             assert_eq!(safe, between, "{t} in {lower} {upper}");
-            assert_eq!(SignBitsSafe::ahead(t), Compare::ahead(t), "{t} ahead");
+            for mask in [true, false] {
+                let (bits, compared) = (SignBitsSafe::ahead(mask, t), Compare::ahead(mask, t));
+                assert_eq!(bits, compared, "{t} ahead where {mask}");
+            }
             hits[2] += usize::from(from_zero);
             hits[3] += usize::from(between);
         }
