@@ -62,6 +62,10 @@ use failure::Failure;
 /// 2 wrong usage, config or input, 3 a confirmed regression, 4 a wrong answer, 130 interrupted.
 pub fn main() -> ExitCode {
     interrupt::let_writes_fail();
+    addresses::on_own_stack(parse_and_run)
+}
+
+fn parse_and_run() -> ExitCode {
     let outcome = match arguments::parse(std::env::args_os()) {
         Ok(arguments) => run(arguments),
         // Help and version are no failures; clap knows which stream they belong to.
