@@ -17,7 +17,7 @@ use super::shuffle;
 use crate::stats::median;
 use rand_pcg::Pcg64Mcg;
 
-/// Passes over a replayed set until it is known.
+/// Passes over a replayed set, timed or not, until it is known.
 const WARM_PASSES: usize = 4;
 
 /// Blocks that tell the time alone.
@@ -161,9 +161,8 @@ impl<'a> Runner<'a> {
             }
             Order::Fixed => {
                 let block = self.plan.block(job.items(), window);
-                // Half as long as the block: what the others of the round, or a neighbour, made the predictor
-                // forget is not learned while it is timed.
-                let passes = WARM_PASSES.max(block.repeats.div_ceil(2));
+                // A block of few passes would be timed while they are still being learned.
+                let passes = WARM_PASSES.saturating_sub(block.repeats).max(1);
                 (0..passes).for_each(|_| warm_up(job, block));
                 None
             }
