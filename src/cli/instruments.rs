@@ -121,8 +121,8 @@ impl Instruments {
 
 /// Cycles of the chain in a nanosecond, fewest and most. No processor has more than 20: the fastest clocks
 /// ever held are below 10 GHz, and where a step took one cycle, not two, it would seem twice as fast. Below
-/// 0.01, 10 MHz, is none that has an operating system with such a clock; a build without optimisation takes
-/// some fifty times as long for a step, which at 1 GHz still is 0.02. A clock a thousand times too slow is
+/// 0.01, 10 MHz, is none that has an operating system with such a clock; that leaves room for builds without optimisation,
+/// whose steps are many instructions. A clock a thousand times too slow is
 /// refused above 20 MHz, one a thousand times too fast below 10 GHz.
 const CYCLES_PER_NS: (f64, f64) = (0.01, 20.0);
 

@@ -10,8 +10,7 @@ use super::sweep::Setting;
 use crate::table::Row;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Cases that are drawn between two looks at whether it is cancelled: where each is drawn 31 times and
-/// answered exactly in some ten microseconds, a third of a second.
+/// Cases that are drawn between two looks at whether it is cancelled.
 const CASES_AT_ONCE: usize = 1_000;
 
 /// Condition numbers of the hits of a setting: what rounding the inputs alone may do.

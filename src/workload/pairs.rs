@@ -169,7 +169,7 @@ impl Pairs {
         Self::draw_unless(spec, &AtomicBool::new(false))
     }
 
-    /// The same, unless it is cancelled meanwhile: the largest sets take half a minute.
+    /// The same, unless it is cancelled meanwhile: sets may be of millions.
     ///
     /// # Errors
     /// As [`Pairs::draw`]; [`WorkloadError::Cancelled`] once `cancel` is set.
