@@ -176,11 +176,15 @@ impl Protocol {
         (planned.saturating_mul(5) / 4).min(self.most_spare_blocks)
     }
 
-    /// What an attempt at a block takes, about, ns: itself, the laying out of a new order, and a
-    /// look at the core.
+    /// What an attempt at a block takes, about, ns: itself, the laying out of a new order or the
+    /// warming of the old one, and a look at the core.
     pub fn attempt_ns(&self) -> u64 {
         const LOOK_NS: u64 = 15_000;
-        let lay_out_ns = if self.order == Order::Reshuffled { self.block_ns } else { 0 };
+        let lay_out_ns = match self.order {
+            Order::Literal => 0,
+            Order::Fixed => self.block_ns / 2,
+            Order::Reshuffled => self.block_ns,
+        };
         lay_out_ns + self.block_ns + LOOK_NS
     }
 
@@ -203,7 +207,7 @@ mod tests {
         assert_eq!(protocol.spare_rounds(9), 18);
         assert_eq!(protocol.spare_blocks(9), 810);
         assert_eq!(Protocol { most_spare_blocks: 5, ..protocol.clone() }.spare_blocks(9), 5);
-        assert_eq!(protocol.attempt_ns(), 75_000);
+        assert_eq!(protocol.attempt_ns(), 105_000);
         protocol.exact_rounds = true;
         assert_eq!(protocol.planned_rounds(9), 64);
         // Four times as many, a third as long; calls one by one stay as they are.

@@ -49,8 +49,8 @@ pub struct ScriptedJob {
     cost_ns: u64,
     /// What each call takes besides, however much it does.
     pub once_ns: u64,
-    /// Whether it takes twice the time unless it ran four times before with nobody in between.
-    pub forgetful: bool,
+    /// Runs with nobody in between before it is known; until then it takes twice the time.
+    pub learned_in: usize,
     number: usize,
     order: Vec<u32>,
     tests_per_item: u64,
@@ -66,7 +66,7 @@ impl ScriptedJob {
             script: script.clone(),
             cost_ns,
             once_ns: 0,
-            forgetful: false,
+            learned_in: 0,
             number: script.jobs.replace(script.jobs.get() + 1) + 1,
             order: (0..items as u32).collect(),
             tests_per_item: 1,
@@ -105,7 +105,7 @@ impl Job for ScriptedJob {
         let (last, streak) = script.last.get();
         let streak = if last == self.number { streak } else { 0 };
         script.last.set((self.number, streak + 1));
-        if self.forgetful && streak < 4 {
+        if streak < self.learned_in {
             cost *= 2;
         }
         match script.hiccup.get() {

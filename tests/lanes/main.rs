@@ -25,7 +25,7 @@ use ray_test::policy::{
 use ray_test::registry::{KernelVisitor, Offers, Other, visit_kernels};
 
 use packets::{FAMILIES, Packet, packets};
-use probe::{Probe, judge, scalar};
+use probe::{Lane, Probe, judge, scalars};
 
 /// The packets of both precisions, and what has been compared.
 struct Law {
@@ -60,25 +60,48 @@ impl Precision for f64 {
     }
 }
 
+/// One form at one level, and its scalar.
+struct Held<E> {
+    name: String,
+    level: &'static str,
+    /// Whether the processor has the level.
+    available: bool,
+    sign_bits: bool,
+    lanes: fn(&Packet<E>) -> Vec<Lane<E>>,
+    scalars: fn(&Packet<E>) -> Vec<Lane<E>>,
+}
+
 /// One form at one level against its scalar.
 fn hold<K: Kernel, P: Policy, L: Level, R: Real<Element: Precision> + On<L>>(law: &mut Law) {
-    let count = law.levels.entry(L::NAME).or_insert_with(|| level::available::<L>().then_some(0));
-    let Some(count) = count else { return };
-    *count += 1;
-    let form = format!("{} {} {} x{}", K::ABOUT.id, type_name::<P>(), L::NAME, R::LANES);
-    let mut sums = Vec::new();
-    for packet in R::Element::packets(law) {
-        let record = K::prepare(&packet.corners);
-        let lanes = L::enter::<Probe<K, P, R>, 0>((&packet.rays, &record));
-        let scalars = packet.rays.map(|ray| scalar::<K, P, R::Element>(&ray, &record));
-        sums.push((
-            packet.family,
-            judge(&form, P::Tests::SIGN_BITS, packet.family, &lanes, &scalars),
-        ));
-    }
-    for (family, counts) in sums {
-        let sums = law.families.entry(family).or_default();
-        sums.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+    law.compare(&Held {
+        name: format!("{} {} {} x{}", K::ABOUT.id, type_name::<P>(), L::NAME, R::LANES),
+        level: L::NAME,
+        available: level::available::<L>(),
+        sign_bits: P::Tests::SIGN_BITS,
+        lanes: |packet| {
+            let record = K::prepare(&packet.corners);
+            L::enter::<Probe<K, P, R>, 0>((&packet.rays, &record))
+        },
+        scalars: scalars::<K, P, R::Element>,
+    });
+}
+
+impl Law {
+    // Not inlined, and told of a form by pointers: one copy a precision instead of one a form keeps
+    // the test quick to build.
+    #[inline(never)]
+    fn compare<E: Precision>(&mut self, form: &Held<E>) {
+        let count = self.levels.entry(form.level).or_insert(form.available.then_some(0));
+        let Some(count) = count else { return };
+        *count += 1;
+        let judged = |packet: &Packet<E>| {
+            let (lanes, scalars) = ((form.lanes)(packet), (form.scalars)(packet));
+            (packet.family, judge(&form.name, form.sign_bits, packet.family, &lanes, &scalars))
+        };
+        for (family, counts) in E::packets(self).iter().map(judged).collect::<Vec<_>>() {
+            let sums = self.families.entry(family).or_default();
+            sums.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+        }
     }
 }
 

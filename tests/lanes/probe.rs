@@ -7,7 +7,7 @@ use ray_test::level::{Batch, Level, On};
 use ray_test::number::{Element, Mask, Real, Vec3};
 use ray_test::policy::{Policy, Ray};
 
-use crate::packets::RAYS;
+use crate::packets::{Packet, RAYS};
 
 /// What one ray finds: whether the test was left early, the hit, then t, u, v and the normal.
 #[derive(Clone, Copy)]
@@ -94,9 +94,13 @@ fn hits_without_numbers<E: Element>(lane: &Lane<E>, scalar: &Lane<E>) -> bool {
     hit.hit && !hit.numbers[..3].iter().all(|x| finite(*x))
 }
 
-/// The scalar kernel, not in any level's shell.
-#[inline(never)]
-pub fn scalar<K: Kernel, P: Policy, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> Lane<E> {
+/// The scalar kernel for every ray of a packet, not in any level's shell.
+pub fn scalars<K: Kernel, P: Policy, E: Element>(packet: &Packet<E>) -> Vec<Lane<E>> {
+    let record = K::prepare(&packet.corners);
+    packet.rays.iter().map(|ray| scalar::<K, P, E>(ray, &record)).collect()
+}
+
+fn scalar<K: Kernel, P: Policy, E: Element>(ray: &Ray<E>, record: &K::Record<E>) -> Lane<E> {
     let met = K::meet::<P, E>((), record);
     let [x, y, z] = K::normal::<P, E>(&met).0;
     match K::test::<P, E>(ray, &K::aim::<P, E>(ray), &met) {

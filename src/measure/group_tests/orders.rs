@@ -71,9 +71,11 @@ fn fixed_warms_up_on_the_block_and_freezes_the_repeats() {
     measure_with(&mut [contestant], &fixed, &script, &mut Undisturbed, &mut progress, &never);
     let calls = calls.borrow();
     let whole = Block { first: 0, items: 1000, repeats: 1, literal: false };
-    for pair in calls[calls.len() - 40..].chunks(2) {
-        assert_eq!(pair[0], Call::Run { block: whole, timed: false });
-        assert_eq!(pair[1], Call::Run { block: Block { repeats: 15, ..whole }, timed: true });
+    // Half a block of 15 passes, rounded up, before each of 20.
+    for turn in calls[calls.len() - 20 * 9..].chunks(9) {
+        let (warming, timed) = turn.split_at(8);
+        assert!(warming.iter().all(|call| *call == Call::Run { block: whole, timed: false }));
+        assert_eq!(timed, [Call::Run { block: Block { repeats: 15, ..whole }, timed: true }]);
     }
 }
 

@@ -141,12 +141,15 @@ fn work_that_does_not_grow_with_the_repeats_is_invalid() {
 fn a_set_that_is_forgotten_between_two_turns_is_seen() {
     let script = Script::default();
     let mut group = with(&script, &[("remembers", Role::Subject, 1000)]);
-    let mut forgetful = ScriptedJob::new(&script, 100, 1000);
-    forgetful.forgetful = true;
-    group.push(subject("forgets", Role::Subject, forgetful).0);
+    // Three passes before each block teach the one, and not the other.
+    for (id, learned_in) in [("learns", 3), ("forgets", 4)] {
+        let mut job = ScriptedJob::new(&script, 100, 1000);
+        job.learned_in = learned_in;
+        group.push(subject(id, Role::Subject, job).0);
+    }
     let report = measure(&mut group, &protocol(Order::Fixed), &script);
     let ratios: Vec<_> = report.figures[3..].iter().map(|figures| figures.solo_ratio).collect();
-    assert_eq!(ratios, [Some(1.0), Some(2.0)]);
+    assert_eq!(ratios, [Some(1.0), Some(1.0), Some(2.0)]);
     let literal = measure(&mut group, &protocol(Order::Literal), &script);
     assert!(literal.figures.iter().all(|figures| figures.solo_ratio.is_none()));
 }
