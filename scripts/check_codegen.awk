@@ -36,6 +36,8 @@ function begin(line,    name, rest) {
     mix = 0
     if (drive == "Stream" && match(rest, />, [0-9]+/)) mix = substr(rest, RSTART + 3, RLENGTH - 3)
     packet = rest ~ /Lanes</
+    # Of a single ray, a vector in a register: its one division is of a register, too.
+    vector = rest ~ /Xyz</
     wide = !packet ? "" : rest ~ /f32x16|f64x8/ ? "zmm" : rest ~ /f32x8|f64x4/ ? "ymm" : "xmm"
     registers = rest ~ /Twice<Twice</ ? 4 : rest ~ /Twice</ ? 2 : 1
     # Of a bundle, how many rays: their tests may stand one after the other in one loop.
@@ -230,6 +232,11 @@ function judge_single(    d, p, most) {
         return
     }
     most *= bundle
+    if (vector) {
+        rule("width", found["xmm"] > 0, "", "no packed arithmetic where a vector is a register")
+        rule("divisions", !d && p <= most, d ? "divisions" : "packed divisions", "more divisions than the " most " of one test")
+        return
+    }
     rule("divisions", d + 2 * p <= most, "divisions", "more divisions than the " most " of one test")
     # A test with several of them may do two in one instruction; that is still one test.
     rule("divisions", !p || most >= 2, "packed divisions", "a packed division")

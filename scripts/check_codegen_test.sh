@@ -7,6 +7,7 @@ packet="<<fearless_simd::Avx512 as fearless_simd::Simd>::vectorize::vectorize_av
 # Six fused and six flips in turn, as 0x373737373737.
 stream="<<fearless_simd::Avx512 as fearless_simd::Simd>::vectorize::vectorize_avx512::<<ray_test::level::avx512::Avx512 as ray_test::level::Level>::enter<ray_test::batch::stream::Stream<$lanes, 60710289094455: u64>, 0: usize>::{closure#0}, u64>>:"
 single="<<ray_test::level::sse2::Sse2 as ray_test::level::Level>::enter::<ray_test::batch::Nearest<$kernel, $form, f32>, 0>>:"
+vector="<<ray_test::level::sse2::Sse2 as ray_test::level::Level>::enter::<ray_test::batch::in_registers::InRegisters<$kernel, $form, ray_test::number::xyz::Xyz<fearless_simd::Sse2, ray_test::number::xyz::Horizontal>>, 0>>:"
 placebo="<<ray_test::level::sse2::Sse2 as ray_test::level::Level>::enter::<ray_test::batch::DRIVE<$kernel, $form, f32>, COPY>>:"
 
 # code NAME INSTRUCTION...: a function as objdump prints it, eight bytes an instruction.
@@ -56,6 +57,10 @@ good='mulss  xmm0,xmm1'
 
 expect none "$packet" "$wide" "$loop" ret
 expect none "$single" "$good" 'divss  xmm0,xmm1' "$loop" ret
+expect none "$vector" 'mulps  xmm0,xmm1' 'divps  xmm0,xmm1' "$loop" ret
+expect divisions "$vector" 'divps  xmm0,xmm1' 'divps  xmm0,xmm1' 'mulps  xmm0,xmm1' "$loop" ret
+expect divisions "$vector" 'divss  xmm0,xmm1' 'mulps  xmm0,xmm1' "$loop" ret
+expect width "$vector" "$good" "$loop" ret
 # An inner loop that is entered in its middle, as compilers rotate them, is found.
 expect width "$packet" 'jmp    1018 <x>' 'vmulps ymm0,ymm1,ymm2' "$wide" "$wide" 'jne    1008 <x>' ret
 expect calls "$packet" "$wide" 'call   9000 <helper>' "$loop" ret

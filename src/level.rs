@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use fearless_simd::{Level as Detected, Simd};
 
-use crate::number::{Lanes, Real, Twice};
+use crate::number::{Lanes, Real, Twice, Xyz};
 
 /// An instruction-set level.
 pub trait Level: Copy + 'static {
@@ -107,6 +107,16 @@ impl<L: Level> On<L> for f64 {
 impl<L: Level, V> On<L> for Lanes<L::Token, V>
 where
     Lanes<L::Token, V>: Real<Token = L::Token>,
+{
+    #[inline(always)]
+    fn token_on(level: L::Token) -> L::Token {
+        level
+    }
+}
+
+impl<L: Level, D> On<L> for Xyz<L::Token, D>
+where
+    Xyz<L::Token, D>: Real<Token = L::Token>,
 {
     #[inline(always)]
     fn token_on(level: L::Token) -> L::Token {

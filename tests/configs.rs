@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const IDS: [&str; 47] = [
+const IDS: [&str; 48] = [
     "arithmetic",
     "b-4.1",
     "b-4.10",
@@ -52,6 +52,7 @@ const IDS: [&str; 47] = [
     "precompute",
     "projection",
     "reciprocal",
+    "single-vector",
     "structures-million",
     "structures",
     "tests-form",

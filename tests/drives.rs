@@ -1,6 +1,6 @@
 //! However a kernel is driven, it is the same kernel: groups of triangles, bundles, memory layouts,
-//! packets longer than a register and packets that share an origin or a direction give what single
-//! rays of the same form give, bit for bit.
+//! vectors in registers, packets longer than a register and packets that share an origin or a
+//! direction give what single rays of the same form give, bit for bit.
 
 use ray_test::job::{Answer, Block};
 use ray_test::registry::{Axes, Variant, find, variants};
@@ -21,7 +21,8 @@ fn yardstick(variant: &Variant) -> &'static Variant {
         (_, "fused") => "avx2",
         _ => "sse2",
     };
-    let id = Axes { drive: "single".into(), level, layout: "aos", projection, ..axes.clone() }.id();
+    let drive = "single".into();
+    let id = Axes { drive, level, layout: "aos", projection, dot: "", ..axes.clone() }.id();
     find(&id).unwrap_or_else(|| panic!("{}: no {id}", variant.id()))
 }
 
@@ -42,12 +43,14 @@ fn is_long(axes: &Axes) -> bool {
     axes.drive.starts_with("packet") && together(&axes.drive) > register
 }
 
-/// Groups, bundles, long packets, other layouts and other ways to project, with those that this processor has and the number of the others.
+/// Groups, bundles, vectors in registers, long packets, other layouts and other ways to project: those
+/// that this processor has, and the number of the others.
 fn driven() -> (Vec<&'static Variant>, usize) {
     let driven = variants().iter().filter(|variant| {
         let axes = &variant.axes;
         let projects = !["", "one-index"].contains(&axes.projection);
-        axes.layout != "aos" || axes.drive.starts_with("bundle") || is_long(axes) || projects
+        let apart = axes.drive.starts_with("bundle") || axes.drive == "single-vector";
+        axes.layout != "aos" || apart || is_long(axes) || projects
     });
     let (here, missing): (Vec<_>, Vec<_>) = driven.partition(|variant| (variant.available)());
     (here, missing.len())

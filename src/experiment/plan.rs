@@ -149,7 +149,7 @@ impl Plan {
             }
             _ => 0,
         };
-        let singles = ready.iter().filter(|variant| variant.lanes == 1).count();
+        let singles = ready.iter().filter(|variant| variant.axes.drive == "single").count();
         let in_groups = |rounds: usize, subjects: usize, controls: usize, order: Order| {
             let rest = match subjects % MOST_SUBJECTS {
                 0 => 0,

@@ -16,6 +16,19 @@ use super::{Element, Extremes, Mask, Real, Toggle};
 #[derive(Clone, Copy)]
 pub struct Lanes<S, V>(V, PhantomData<S>);
 
+impl<S, V> Lanes<S, V> {
+    /// Of a register.
+    #[inline(always)]
+    pub(super) fn of(register: V) -> Self {
+        Lanes(register, PhantomData)
+    }
+    /// The register.
+    #[inline(always)]
+    pub(super) fn register(self) -> V {
+        self.0
+    }
+}
+
 /// The mask that belongs to [`Lanes`].
 #[derive(Clone, Copy)]
 pub struct LaneMask<S, M>(M, PhantomData<S>);

@@ -5,6 +5,7 @@
 //! | `f32`, `f64` | the single-ray forms |
 //! | [`Lanes`] | packets: one lane a ray, in the registers of an instruction-set level |
 //! | [`Twice`] | packets of two registers, or of four |
+//! | [`Xyz`] | single rays, a vector in a register |
 //! | [`Counted`] | the operations that a test executes, by kind |
 //! | [`Traced`] | the operations that an optimiser leaves of a test |
 //! | [`Flushed`] | what a processor computes that flushes subnormal numbers to zero |
@@ -21,11 +22,13 @@ mod lanes;
 mod masked;
 mod precision;
 mod scalar;
+mod shuffled;
 mod spread;
 mod toggle;
 mod traced;
 mod twice;
 mod vector;
+mod xyz;
 
 pub use axis::{Axis, dominant};
 pub use counted::{Counted, Operations, count};
@@ -39,6 +42,7 @@ pub use toggle::Toggle;
 pub use traced::{Needed, Noted, Place, Traced, TracedMask, TracedOne, needed};
 pub use twice::Twice;
 pub use vector::Vec3;
+pub use xyz::{FirstLane, Horizontal, Instruction, Summing, Xyz};
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -147,6 +151,24 @@ pub trait Real:
     /// `self * factor + addend` with one rounding. Only the `fused` forms call it, and only levels
     /// with the instruction have them.
     fn mul_add(self, factor: Self, addend: Self) -> Self;
+
+    /// A vector whose numbers all lie in one register, of the first three of four `numbers`; `None`
+    /// where a vector is three numbers ([`Xyz`] is the one that is not). The other two methods
+    /// ask for no more than this one has.
+    #[inline(always)]
+    fn whole_vector(_token: Self::Token, _numbers: &[Self::Element]) -> Option<Self> {
+        None
+    }
+    /// The dot product of two such vectors.
+    #[inline(always)]
+    fn whole_dot(self, _other: Self) -> Option<Self> {
+        None
+    }
+    /// Their cross product.
+    #[inline(always)]
+    fn whole_cross(self, _other: Self) -> Option<Self> {
+        None
+    }
 
     /// `element` in every lane, with the token of `self`.
     #[inline(always)]

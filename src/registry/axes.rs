@@ -52,6 +52,9 @@ pub struct Axes {
     /// How the axis of the projection is known: `one-index`, `three-indices`, `fixed` or `batches`; empty
     /// for kernels that have no such choice.
     pub projection: &'static str,
+    /// Single rays with a vector in a register: `horizontal` sums or an `instruction` for dot products;
+    /// empty where a vector is three numbers.
+    pub dot: &'static str,
     /// `kept`, or `flushed` to zero.
     pub subnormals: &'static str,
     /// 0, or the number of a placebo.
@@ -59,7 +62,7 @@ pub struct Axes {
 }
 
 /// The columns of `list variants` behind `id` and `available`.
-pub const COLUMNS: [&str; 19] = [
+pub const COLUMNS: [&str; 20] = [
     "kernel",
     "precision",
     "drive",
@@ -79,6 +82,7 @@ pub const COLUMNS: [&str; 19] = [
     "edges",
     "projection",
     "subnormals",
+    "dot",
 ];
 
 /// What the form `P` of a kernel is called: a constant, so that thousands of forms need no code for it.
@@ -143,6 +147,7 @@ impl Axes {
             reciprocal: "divide",
             edges: "",
             projection: "",
+            dot: "",
             subnormals: "kept",
             copy: 0,
         }
@@ -175,7 +180,7 @@ impl Axes {
     }
 
     /// The values of [`COLUMNS`].
-    pub fn values(&self) -> [&str; 19] {
+    pub fn values(&self) -> [&str; 20] {
         [
             self.kernel,
             self.precision,
@@ -196,6 +201,7 @@ impl Axes {
             self.edges,
             self.projection,
             self.subnormals,
+            self.dot,
         ]
     }
 
@@ -206,6 +212,7 @@ impl Axes {
         let others = [
             ("copy", self.copy.to_string(), self.copy == 0),
             ("cull", self.cull.into(), self.cull == "off"),
+            ("dot", self.dot.into(), ["", "horizontal"].contains(&self.dot)),
             ("edges", self.edges.into(), ["", Fallback::NAME].contains(&self.edges)),
             ("layout", self.layout.into(), self.layout == "aos"),
             ("leading", self.leading.into(), self.leading_is_native),

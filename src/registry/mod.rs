@@ -23,6 +23,7 @@ mod registers;
 mod sharing;
 mod streams;
 mod techniques;
+mod vectors;
 #[cfg(feature = "cli")]
 mod wide;
 
@@ -133,6 +134,7 @@ pub fn variants() -> &'static [Variant] {
         drives::all(&mut variants);
         sharing::all(&mut variants);
         techniques::all(&mut variants);
+        vectors::all(&mut variants);
         projections::all(&mut variants);
         points::all(&mut variants);
         listings::all(&mut variants);

@@ -39,6 +39,8 @@ pub trait Offers: Kernel {
     const BUNDLES: bool = false;
     /// It stands for the others in memory layouts.
     const LAYOUTS: bool = false;
+    /// Its test is written in vectors alone, whose numbers may lie in one register.
+    const VECTORS: bool = false;
     /// It stands for the others where reciprocals and branches are compared.
     const TECHNIQUES: bool = false;
     /// It can ask for the inside first, and stands for those that do, all signs of it in one question.
@@ -51,6 +53,7 @@ pub trait Offers: Kernel {
 
 impl Offers for MollerTrumbore {
     type Native = Inside;
+    const VECTORS: bool = true;
     const GROUPS: bool = true;
     const BUNDLES: bool = true;
     const TECHNIQUES: bool = true;
@@ -62,6 +65,7 @@ impl Offers for MollerTrumbore {
 }
 impl<S: Stored + IsVertices> Offers for KenslerShirley<S> {
     type Native = Distance;
+    const VECTORS: bool = true;
     const GROUPS: bool = S::IS_PRECOMPUTED;
     const BUNDLES: bool = S::IS_VERTICES;
     const LAYOUTS: bool = S::IS_PRECOMPUTED;

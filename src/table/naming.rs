@@ -3,7 +3,7 @@
 use super::Row;
 
 /// Columns that say what was measured, besides the id.
-pub const SUBJECT_COLUMNS: [&str; 24] = [
+pub const SUBJECT_COLUMNS: [&str; 25] = [
     "experiment",
     "kernel",
     "precision",
@@ -19,6 +19,7 @@ pub const SUBJECT_COLUMNS: [&str; 24] = [
     "reciprocal",
     "edges",
     "projection",
+    "dot",
     "leading",
     "code",
     "priced",

@@ -65,6 +65,9 @@ macro_rules! sweeps_columns {
             reciprocal: String,
             /// How the axis of a projection is known: `one-index`, `three-indices`, `fixed` or `batches`.
             projection: String,
+            /// Single rays with a vector in a register: `horizontal` sums across its lanes, or an
+            /// `instruction` for dot products.
+            dot: String,
             /// Bunches of rays: how far they lie apart, in radii of the scene.
             spread: Option<f64>,
             /// Packets that leave early: operations that their rays' own tests would do, over those
