@@ -42,11 +42,6 @@ impl<E: Element, T: AsRef<[E]>> Storing<E, T> {
     pub fn of<Y: Layout>() -> Self {
         Storing { length: length::<E, T, Y>, lay_out: lay_out::<E, T, Y>, runs: Y::runs }
     }
-    /// Triangle by triangle, and one number more, which means nothing.
-    pub fn with_one_more() -> Self {
-        let with_one_more = |records: &[T]| length::<E, T, Aos>(records) + 1;
-        Storing { length: with_one_more, ..Self::of::<Aos>() }
-    }
     /// Triangle by triangle, in batches by the axis of their projection.
     pub fn batches() -> Self {
         Storing { lay_out: lay_out_batches::<E, T>, ..Self::of::<Aos>() }

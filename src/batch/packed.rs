@@ -17,6 +17,11 @@ pub fn pack<E: Element>(rays: &[Ray<E>], lanes: usize) -> Vec<E> {
     numbers
 }
 
+/// The numbers of a ray, in the order of [`RAY_NUMBERS`].
+pub fn ray_numbers<E: Element>(ray: &Ray<E>) -> [E; RAY_NUMBERS] {
+    std::array::from_fn(|row| ray_number(ray, row))
+}
+
 /// The `row`-th number of a ray, in the order of [`RAY_NUMBERS`].
 fn ray_number<E: Element>(ray: &Ray<E>, row: usize) -> E {
     match row {

@@ -152,22 +152,23 @@ pub trait Real:
     /// with the instruction have them.
     fn mul_add(self, factor: Self, addend: Self) -> Self;
 
-    /// A vector whose numbers all lie in one register, of the first three of four `numbers`; `None`
-    /// where a vector is three numbers ([`Xyz`] is the one that is not). The other two methods
-    /// ask for no more than this one has.
+    /// Whether a number can be a whole vector, in one register ([`Xyz`]). Of others nobody asks for the
+    /// three methods that follow: they take a vector for one of a single number.
+    const IS_VECTOR: bool = false;
+    /// The vector of three in a row of four numbers, the first at place `from`: 0 or 1.
     #[inline(always)]
-    fn whole_vector(_token: Self::Token, _numbers: &[Self::Element]) -> Option<Self> {
-        None
+    fn vector(token: Self::Token, numbers: &[Self::Element], from: usize) -> Self {
+        Self::load(token, &numbers[from..])
     }
-    /// The dot product of two such vectors.
+    /// The dot product of two vectors.
     #[inline(always)]
-    fn whole_dot(self, _other: Self) -> Option<Self> {
-        None
+    fn vector_dot(self, other: Self) -> Self {
+        self * other
     }
-    /// Their cross product.
+    /// The cross product of two vectors.
     #[inline(always)]
-    fn whole_cross(self, _other: Self) -> Option<Self> {
-        None
+    fn vector_cross(self, _other: Self) -> Self {
+        self.zero()
     }
 
     /// `element` in every lane, with the token of `self`.

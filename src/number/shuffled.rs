@@ -12,6 +12,8 @@ pub trait Shuffled: Masked<f32x4<Self>> {
     fn second(v: f32x4<Self>) -> f32x4<Self>;
     /// z in every lane.
     fn third(v: f32x4<Self>) -> f32x4<Self>;
+    /// The last three lanes as the first three.
+    fn behind_first(v: f32x4<Self>) -> f32x4<Self>;
 }
 
 /// A level with an instruction for dot products.
@@ -31,10 +33,11 @@ mod x86 {
 
     use super::{Dotted, Shuffled};
 
-    /// Lanes 1, 2, 0 and 3; lane 1; lane 2.
+    /// Lanes 1, 2, 0 and 3; lane 1; lane 2; lanes 1, 2 and 3.
     const TURNED: i32 = 0b11_00_10_01;
     const SECOND: i32 = 0b01_01_01_01;
     const THIRD: i32 = 0b10_10_10_10;
+    const BEHIND_FIRST: i32 = 0b11_11_10_01;
     /// Three products, their sum in all lanes.
     const THREE_TO_ALL: i32 = 0b0111_1111;
 
@@ -50,22 +53,16 @@ mod x86 {
     }
 
     macro_rules! level {
-        ($level:ident $turned:ident $second:ident $third:ident) => {
-            shuffled!($level $turned TURNED $second SECOND $third THIRD);
+        ($level:ident $($method:ident $name:ident $lanes:ident)*) => {
+            shuffled!($level $($name $lanes)*);
 
             impl Shuffled for $level {
-                #[inline(always)]
-                fn turned(v: f32x4<Self>) -> f32x4<Self> {
-                    SimdFrom::simd_from(v.token(), $turned(v.token(), v.into()))
-                }
-                #[inline(always)]
-                fn second(v: f32x4<Self>) -> f32x4<Self> {
-                    SimdFrom::simd_from(v.token(), $second(v.token(), v.into()))
-                }
-                #[inline(always)]
-                fn third(v: f32x4<Self>) -> f32x4<Self> {
-                    SimdFrom::simd_from(v.token(), $third(v.token(), v.into()))
-                }
+                $(
+                    #[inline(always)]
+                    fn $method(v: f32x4<Self>) -> f32x4<Self> {
+                        SimdFrom::simd_from(v.token(), $name(v.token(), v.into()))
+                    }
+                )*
             }
         };
     }
@@ -88,9 +85,12 @@ mod x86 {
         };
     }
 
-    level!(Sse2 turned_sse2 second_sse2 third_sse2);
-    level!(Sse4_2 turned_sse42 second_sse42 third_sse42);
-    level!(Avx2 turned_avx2 second_avx2 third_avx2);
+    level!(Sse2 turned turned_sse2 TURNED second second_sse2 SECOND third third_sse2 THIRD
+        behind_first behind_sse2 BEHIND_FIRST);
+    level!(Sse4_2 turned turned_sse42 TURNED second second_sse42 SECOND third third_sse42 THIRD
+        behind_first behind_sse42 BEHIND_FIRST);
+    level!(Avx2 turned turned_avx2 TURNED second second_avx2 SECOND third third_avx2 THIRD
+        behind_first behind_avx2 BEHIND_FIRST);
     dotted!(Sse4_2 dot_sse42);
     dotted!(Avx2 dot_avx2);
 }

@@ -156,7 +156,7 @@ impl<S: Shuffled, D: Summing<S>> Real for Xyz<S, D> {
     }
     #[inline(always)]
     fn mask(token: S, truth: bool) -> FirstLane<S> {
-        FirstLane(Lanes::<S, f32x4<S>>::mask(token, truth))
+        FirstLane(Register::mask(token, truth))
     }
     comparisons!(lt le gt ge ne);
     #[inline(always)]
@@ -175,20 +175,26 @@ impl<S: Shuffled, D: Summing<S>> Real for Xyz<S, D> {
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Xyz(self.0.mul_add(factor.0, addend.0), PhantomData)
     }
+    const IS_VECTOR: bool = true;
     #[inline(always)]
-    fn whole_vector(token: S, numbers: &[f32]) -> Option<Self> {
-        Some(Xyz(Lanes::load(token, numbers), PhantomData))
+    fn vector(token: S, numbers: &[f32], from: usize) -> Self {
+        let four = Register::load(token, numbers);
+        if from == 0 {
+            Xyz(four, PhantomData)
+        } else {
+            Xyz(Lanes::of(S::behind_first(four.register())), PhantomData)
+        }
     }
     #[inline(always)]
-    fn whole_dot(self, other: Self) -> Option<Self> {
-        Some(Xyz(Lanes::of(D::dot(self.0.register(), other.0.register())), PhantomData))
+    fn vector_dot(self, other: Self) -> Self {
+        Xyz(Lanes::of(D::dot(self.0.register(), other.0.register())), PhantomData)
     }
     /// a x b = (a (y, z, x of b) - (y, z, x of a) b), its lanes turned: each a difference of the two
     /// products that a scalar subtracts, in their order.
     #[inline(always)]
-    fn whole_cross(self, other: Self) -> Option<Self> {
+    fn vector_cross(self, other: Self) -> Self {
         let (a, b) = (self.0.register(), other.0.register());
         let sideways = a * S::turned(b) - S::turned(a) * b;
-        Some(Xyz(Lanes::of(S::turned(sideways)), PhantomData))
+        Xyz(Lanes::of(S::turned(sideways)), PhantomData)
     }
 }

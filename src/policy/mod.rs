@@ -79,16 +79,16 @@ pub trait Policy: Copy + 'static {
     /// a . b
     #[inline(always)]
     fn dot<R: Real>(a: Vec3<R>, b: Vec3<R>) -> R {
-        if let Some(dot) = a.x().whole_dot(b.x()) {
-            return dot;
+        if R::IS_VECTOR {
+            return a.x().vector_dot(b.x());
         }
         Self::multiply_add(a.z(), b.z(), Self::multiply_add(a.y(), b.y(), a.x() * b.x()))
     }
     /// a x b
     #[inline(always)]
     fn cross<R: Real>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
-        if let Some(cross) = a.x().whole_cross(b.x()) {
-            return Vec3([cross; 3]);
+        if R::IS_VECTOR {
+            return Vec3([a.x().vector_cross(b.x()); 3]);
         }
         Vec3([
             Self::difference(a.y(), b.z(), a.z(), b.y()),

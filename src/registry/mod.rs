@@ -23,6 +23,7 @@ mod registers;
 mod sharing;
 mod streams;
 mod techniques;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 mod vectors;
 #[cfg(feature = "cli")]
 mod wide;
@@ -134,6 +135,7 @@ pub fn variants() -> &'static [Variant] {
         drives::all(&mut variants);
         sharing::all(&mut variants);
         techniques::all(&mut variants);
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         vectors::all(&mut variants);
         projections::all(&mut variants);
         points::all(&mut variants);

@@ -1,22 +1,21 @@
 //! How Wald's test, which stands for all that project, knows the axis of a triangle's projection.
 
 use crate::batch::{Batches, Shape, Storing};
-use crate::kernels::{Fixed, Kernel, ThreeIndices, Wald};
+use crate::kernels::{Fixed, Kernel, OneIndex, ThreeIndices, Wald};
 use crate::level::{self, Level, On};
-use crate::number::Element;
+use crate::number::{Element, Twice};
 use crate::policy::{
-    Between, Compare, Distance, Early, Exit, Form, Full, Last, Nearer, Plain, Policy, Rounding,
-    Tuv, TwoSided,
+    Between, Compare, Distance, Early, Exit, First, Form, Full, Fused, Last, Nearer, Output, Plain,
+    Policy, Rounding, T, Tuv, TwoSided,
 };
 
 use super::forms::{drive, numbers, variant};
-use super::{Axes, Variant, bind_nearest, preparing, registers};
+use super::{Axes, Offers, Variant, bind_nearest, preparing, registers};
 
 /// Three stored indices; one axis for all, of which a terrain needs the last; three sorted batches.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 pub fn all(v: &mut Vec<Variant>) {
     use crate::level::{Avx2, Avx512, Sse2};
-    use crate::policy::Fused;
     use registers::{Eight, Sixteen};
 
     ways::<f32, Sse2, Early, Plain>(v);
@@ -24,14 +23,32 @@ pub fn all(v: &mut Vec<Variant>) {
     ways::<Eight, Avx2, Full, Fused>(v);
     ways::<Sixteen, Avx512, Early, Fused>(v);
     ways::<Sixteen, Avx512, Full, Fused>(v);
+    at_once::<Wald<Fixed<2>>, Sixteen, Avx512, Tuv>(v);
+    at_once::<Wald<Fixed<2>>, Twice<Sixteen>, Avx512, Tuv>(v);
+    at_once::<Wald<Fixed<2>>, Twice<Sixteen>, Avx512, T>(v);
+    at_once::<Wald<OneIndex>, Twice<Sixteen>, Avx512, T>(v);
+}
+
+/// Divided at once: how little a test can do. No axis is looked up, and where only t is wanted no
+/// weights are kept.
+fn at_once<K: Offers, R: On<L>, L: Level, O: Output>(v: &mut Vec<Variant>)
+where
+    R::Element: On<L>,
+{
+    type Of<O, S> = Form<Full, First, Fused, O, TwoSided, Compare, Distance, S>;
+    variant::<K, Of<O, Between>, Of<O, Nearer>, R, L, 0>(v);
 }
 
 /// Three stored indices; one axis for all, of which a terrain needs the last; three sorted batches.
 #[cfg(target_arch = "aarch64")]
 pub fn all(v: &mut Vec<Variant>) {
     ways::<f32, level::Neon, Early, Plain>(v);
-    ways::<registers::Four, level::Neon, Early, crate::policy::Fused>(v);
-    ways::<registers::Four, level::Neon, Full, crate::policy::Fused>(v);
+    ways::<registers::Four, level::Neon, Early, Fused>(v);
+    ways::<registers::Four, level::Neon, Full, Fused>(v);
+    at_once::<Wald<Fixed<2>>, registers::Four, level::Neon, Tuv>(v);
+    at_once::<Wald<Fixed<2>>, Twice<registers::Four>, level::Neon, Tuv>(v);
+    at_once::<Wald<Fixed<2>>, Twice<registers::Four>, level::Neon, T>(v);
+    at_once::<Wald<OneIndex>, Twice<registers::Four>, level::Neon, T>(v);
 }
 
 type Of<E, A, S> = Form<E, Last, A, Tuv, TwoSided, Compare, Distance, S>;
@@ -55,7 +72,7 @@ fn batches<P: Policy, R: On<L>, L: Level>(v: &mut Vec<Variant>) {
         ..Axes::of::<Wald, P>(R::Element::NAME, L::NAME)
     };
     let shape = Shape { lanes: R::LANES, rays: R::LANES, outputs: numbers::<P::Output>() };
-    let prepare = Wald::<crate::kernels::OneIndex>::prepare::<R::Element>;
+    let prepare = Wald::<OneIndex>::prepare::<R::Element>;
     v.push(Variant {
         axes,
         about: &<Wald as Kernel>::ABOUT,
