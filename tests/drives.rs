@@ -22,9 +22,10 @@ fn yardstick(variant: &Variant) -> &'static Variant {
         _ => "sse2",
     };
     let output = if axes.rounding == "fused" { "tuv" } else { axes.output };
-    let drive = "single".into();
-    let single = Axes { drive, level, layout: "aos", projection, dot: "", output, ..axes.clone() };
-    let id = single.id();
+    let single = Axes { drive: "single".into(), level, layout: "aos", ..axes.clone() };
+    let single = Axes { projection, dot: "", output, ..single };
+    // Safe signs decide as comparisons do, and in any order.
+    let id = Axes { tests: "compare", leading_is_native: true, ..single }.id();
     find(&id).unwrap_or_else(|| panic!("{}: no {id}", variant.id()))
 }
 

@@ -13,7 +13,7 @@ use crate::job::Tally;
 use crate::kernels::{Kernel, Source};
 use crate::level::{Batch, Level, On};
 use crate::number::{Element, Mask, Real, Vec3};
-use crate::policy::{Found, Output, Policy, Ray};
+use crate::policy::{self, Found, Output, Policy, Ray};
 
 /// One loop over rays and all triangles; `R` is a number that can be a vector.
 pub struct InRegisters<K, P, R>(PhantomData<(K, P, R)>);
@@ -21,6 +21,9 @@ pub struct InRegisters<K, P, R>(PhantomData<(K, P, R)>);
 /// One loop over pairs, of which rays are [`RAY_NUMBERS`] numbers in a row; no form of it reports the
 /// surface.
 pub struct PairsInRegisters<K, P, R>(PhantomData<(K, P, R)>);
+
+/// The policy that the tests see.
+type Of<P> = policy::InRegisters<P>;
 
 /// Numbers of which four are read where three are meant: of the last three, the one before them as well.
 struct Fours<'a, R: Real> {
@@ -71,14 +74,14 @@ where
         for (numbers, answer) in rays.zip(scene.answers.chunks_exact_mut(ANSWER_NUMBERS)) {
             let mut ray = Fours::<R> { token, numbers }.ray();
             let mut best = Best::nothing(token, &ray);
-            let aim = K::aim::<P, R>(&ray);
+            let aim = K::aim::<Of<P>, R>(&ray);
             let one = R::splat(token, R::Element::ONE);
             let mut index = R::splat(token, R::Element::ZERO);
             for triangle in Aos::walk(scene.numbers, places::<K, R::Element>(), scene.triangles) {
                 // As of every single ray: nothing of the next test before this one.
                 black_box(());
-                let met = K::read::<P, R, _>(&Fours::<R> { token, numbers: triangle.0 });
-                step::<K, P, R>(&mut ray, &aim, &met, index, &mut best);
+                let met = K::read::<Of<P>, R, _>(&Fours::<R> { token, numbers: triangle.0 });
+                step::<K, Of<P>, R>(&mut ray, &aim, &met, index, &mut best);
                 index = index + one;
             }
             best.write::<P>(&ray, answer);
@@ -105,8 +108,8 @@ where
             for (numbers, record) in walk.pairs {
                 black_box(());
                 let ray = Fours::<R> { token, numbers }.ray();
-                let met = K::read::<P, R, _>(&Fours::<R> { token, numbers: record.as_ref() });
-                if let Ok(found) = K::test::<P, R>(&ray, &K::aim::<P, R>(&ray), &met) {
+                let met = K::read::<Of<P>, R, _>(&Fours::<R> { token, numbers: record.as_ref() });
+                if let Ok(found) = K::test::<Of<P>, R>(&ray, &K::aim::<Of<P>, R>(&ray), &met) {
                     let ray = load_ray::<R::Element>((), numbers);
                     let none = Vec3([R::Element::ZERO; 3]);
                     report::<P, R::Element>(&mut sums, &ray, &first(&found), none);

@@ -152,10 +152,9 @@ pub trait Real:
     /// with the instruction have them.
     fn mul_add(self, factor: Self, addend: Self) -> Self;
 
-    /// Whether a number can be a whole vector, in one register ([`Xyz`]). Of others nobody asks for the
-    /// three methods that follow: they take a vector for one of a single number.
-    const IS_VECTOR: bool = false;
-    /// The vector of three in a row of four numbers, the first at place `from`: 0 or 1.
+    /// The vector of three in a row of four numbers, the first at place `from`: 0 or 1. This and the two
+    /// that follow are for numbers that can be a whole vector ([`Xyz`]); others take a vector for one of
+    /// a single number, and nobody asks them.
     #[inline(always)]
     fn vector(token: Self::Token, numbers: &[Self::Element], from: usize) -> Self {
         Self::load(token, &numbers[from..])

@@ -175,7 +175,6 @@ impl<S: Shuffled, D: Summing<S>> Real for Xyz<S, D> {
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Xyz(self.0.mul_add(factor.0, addend.0), PhantomData)
     }
-    const IS_VECTOR: bool = true;
     #[inline(always)]
     fn vector(token: S, numbers: &[f32], from: usize) -> Self {
         let four = Register::load(token, numbers);

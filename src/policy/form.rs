@@ -6,6 +6,7 @@ use super::{
     Compare, Distance, Divide, Division, Exit, Facing, FromZero, Leading, Output, Policy,
     Reciprocal, Rounding, Span, Tests, TwoSided,
 };
+use crate::number::{Real, Vec3};
 
 /// The form with these values of the axes.
 #[derive(Clone, Copy)]
@@ -51,4 +52,30 @@ impl<P: Policy> Policy for BothFaces<P> {
     type Leading = P::Leading;
     type Span = P::Span;
     type Reciprocal = P::Reciprocal;
+}
+
+/// `P` of numbers that can be vectors ([`Real::vector`]), where each of a vector's three is all of it.
+/// Sums of products are plain.
+#[derive(Clone, Copy)]
+pub struct InRegisters<P>(PhantomData<P>);
+
+impl<P: Policy> Policy for InRegisters<P> {
+    type Exit = P::Exit;
+    type Division = P::Division;
+    type Rounding = P::Rounding;
+    type Output = P::Output;
+    type Facing = P::Facing;
+    type Tests = P::Tests;
+    type Leading = P::Leading;
+    type Span = P::Span;
+    type Reciprocal = P::Reciprocal;
+
+    #[inline(always)]
+    fn dot<R: Real>(a: Vec3<R>, b: Vec3<R>) -> R {
+        a.x().vector_dot(b.x())
+    }
+    #[inline(always)]
+    fn cross<R: Real>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
+        Vec3([a.x().vector_cross(b.x()); 3])
+    }
 }

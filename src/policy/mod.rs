@@ -16,7 +16,7 @@ pub use axes::{
     Rounding, Span, Surface, T, Tuv, TwoSided,
 };
 pub use exit::{Early, Exit, Full, Once};
-pub use form::{BothFaces, Form};
+pub use form::{BothFaces, Form, InRegisters};
 pub use reciprocal::{Divide, Estimated, Reciprocal};
 pub use scale::{Division, First, Last, Scale};
 pub use tests::{Compare, Products, SignBits, SignBitsSafe, Tests};
@@ -79,17 +79,11 @@ pub trait Policy: Copy + 'static {
     /// a . b
     #[inline(always)]
     fn dot<R: Real>(a: Vec3<R>, b: Vec3<R>) -> R {
-        if R::IS_VECTOR {
-            return a.x().vector_dot(b.x());
-        }
         Self::multiply_add(a.z(), b.z(), Self::multiply_add(a.y(), b.y(), a.x() * b.x()))
     }
     /// a x b
     #[inline(always)]
     fn cross<R: Real>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
-        if R::IS_VECTOR {
-            return Vec3([a.x().vector_cross(b.x()); 3]);
-        }
         Vec3([
             Self::difference(a.y(), b.z(), a.z(), b.y()),
             Self::difference(a.z(), b.x(), a.x(), b.z()),
