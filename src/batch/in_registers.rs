@@ -75,14 +75,13 @@ where
             let mut ray = Fours::<R> { token, numbers }.ray();
             let mut best = Best::nothing(token, &ray);
             let aim = K::aim::<Of<P>, R>(&ray);
-            let one = R::splat(token, R::Element::ONE);
             let mut index = R::splat(token, R::Element::ZERO);
             for triangle in Aos::walk(scene.numbers, places::<K, R::Element>(), scene.triangles) {
                 // As of every single ray: nothing of the next test before this one.
                 black_box(());
                 let met = K::read::<Of<P>, R, _>(&Fours::<R> { token, numbers: triangle.0 });
                 step::<K, Of<P>, R>(&mut ray, &aim, &met, index, &mut best);
-                index = index + one;
+                index = index.successor();
             }
             best.write::<P>(&ray, answer);
         }

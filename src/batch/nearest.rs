@@ -117,7 +117,6 @@ fn walk<K: Kernel, P: Policy, R: Real, Y: Layout>(
 ) -> Best<R> {
     let mut best = Best::nothing(token, ray);
     let aim = K::aim::<P, R>(ray);
-    let one = R::splat(token, R::Element::ONE);
     let mut index = R::splat(token, R::Element::ZERO);
     if R::LANES > 1 && P::Exit::DEFERS_RANGE {
         // The first part of a test is done before the second part of the one before it.
@@ -130,7 +129,7 @@ fn walk<K: Kernel, P: Policy, R: Real, Y: Layout>(
             met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
             end::<K, P, R>(ray, &aim, (&met, begun), index, &mut best);
             (triangle, begun) = (next, following_begun);
-            index = index + one;
+            index = index.successor();
         }
         met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
         end::<K, P, R>(ray, &aim, (&met, begun), index, &mut best);
@@ -143,7 +142,7 @@ fn walk<K: Kernel, P: Policy, R: Real, Y: Layout>(
         }
         let met = Spread::spread(token, K::read::<P, R::Element, _>(&triangle));
         step::<K, P, R>(ray, &aim, &met, index, &mut best);
-        index = index + one;
+        index = index.successor();
     }
     best
 }

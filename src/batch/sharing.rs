@@ -92,7 +92,6 @@ where
 {
     let mut best = Best::nothing(token, ray);
     let aim = K::aim::<P, R>(ray);
-    let one = R::splat(token, R::Element::ONE);
     let mut index = R::splat(token, R::Element::ZERO);
     for numbers in numbers.chunks_exact(places::<K, R::Element>() * G::LANES) {
         let met = K::read::<P, G, _>(&Packed { token, numbers });
@@ -107,7 +106,7 @@ where
             let next = K::begin_shared::<P, R, _>(ray, &aim, &of(lane));
             end::<K, P, R, C, _>(ray, &aim, (&of(lane - 1), begun), index, &mut best);
             begun = next;
-            index = index + one;
+            index = index.successor();
         }
     }
     best

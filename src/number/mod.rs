@@ -152,6 +152,11 @@ pub trait Real:
     /// with the instruction have them.
     fn mul_add(self, factor: Self, addend: Self) -> Self;
 
+    /// `self` + 1, of a number that is the same in every lane: one addition, however many registers.
+    #[inline(always)]
+    fn successor(self) -> Self {
+        self + self.one()
+    }
     /// The vector of three in a row of four numbers, the first at place `from`: 0 or 1. This and the two
     /// that follow are for numbers that can be a whole vector ([`Xyz`]); others take a vector for one of
     /// a single number, and nobody asks them.

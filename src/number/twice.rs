@@ -130,6 +130,11 @@ impl<R: Real> Real for Twice<R> {
         Twice(self.0.estimated_inverse(), self.1.estimated_inverse())
     }
     #[inline(always)]
+    fn successor(self) -> Self {
+        let next = self.0.successor();
+        Twice(next, next)
+    }
+    #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Twice(self.0.mul_add(factor.0, addend.0), self.1.mul_add(factor.1, addend.1))
     }
