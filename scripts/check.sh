@@ -53,11 +53,16 @@ fi
 step "build"
 cargo test --release --no-run
 
-# Neither of them uses more than a core most of the time.
+# Three at a time, since none of them keeps two cores busy: runs that are killed and gone on with, what
+# needs the program alone, and all other tests.
 step "tests, and what needs the program alone"
 work=$(mktemp -d)
-alone=
-trap '[ -z "$alone" ] || kill "$alone" 2>/dev/null || true; rm -rf "$work"' EXIT
+beside=()
+trap 'kill "${beside[@]}" 2>/dev/null || true; rm -rf "$work"' EXIT
+killed_runs() {
+    step "runs that are killed"
+    cargo test --release --test interruptions
+}
 program_alone() {
     step "generated code"
     scripts/check_codegen.sh --self-test
@@ -66,16 +71,26 @@ program_alone() {
     scripts/check_run.sh target/release/ray_test
     step "where things break"
     scripts/check_breaks.sh target/release/ray_test
+    step "documentation"
+    RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps --quiet
+    step "report"
+    target/release/ray_test report results/reference --out "$work/report" >/dev/null
+    scripts/check_report.sh "$work/report/report.html"
 }
-(set -e; program_alone) >"$work/alone" 2>&1 &
-alone=$!
-cargo test --release
-wait "$alone" || { cat "$work/alone"; exit 1; }
-cat "$work/alone"
-
-step "documentation"
-RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps --quiet
-
-step "report"
-target/release/ray_test report results/reference --out "$work/report" >/dev/null
-scripts/check_report.sh "$work/report/report.html"
+# Every file of tests but the one that is run beside the others.
+targets=()
+for file in tests/*.rs tests/*/main.rs; do
+    name=${file#tests/} name=${name%.rs}
+    [ "$name" = interruptions/main ] || targets+=(--test "${name%/main}")
+done
+for part in killed_runs program_alone; do
+    (set -e; "$part") >"$work/$part" 2>&1 &
+    beside+=($!)
+done
+cargo test --release --lib --bins --examples "${targets[@]}"
+cargo test --release --doc
+for part in killed_runs program_alone; do
+    wait "${beside[0]}" || { cat "$work/$part"; exit 1; }
+    beside=("${beside[@]:1}")
+    cat "$work/$part"
+done
