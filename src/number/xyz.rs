@@ -14,7 +14,7 @@ use super::lanes::{LaneMask, Lanes};
 use super::shuffled::{Dotted, Shuffled};
 use super::{Mask, Real};
 
-/// A register of level `S`: a number, or a whole vector. A [`Vec3`] of them is one such vector, three
+/// A register of level `S`: a number, or a whole vector. A [`super::Vec3`] of them is one such vector, three
 /// times the same register.
 #[derive(Clone, Copy)]
 pub struct Xyz<S: Simd, D>(Register<S>, PhantomData<D>);
