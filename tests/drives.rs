@@ -3,8 +3,8 @@
 //! direction give what single rays of the same form give, bit for bit.
 
 use ray_test::job::{Answer, Block};
-use ray_test::registry::{Axes, Variant, find, variants};
-use ray_test::workload::{Kind, NearestSet, NearestSpec, Triangle};
+use ray_test::registry::{Axes, REFERENCE, Variant, find, variants};
+use ray_test::workload::{Kind, NearestSet, NearestSpec, Ray, Triangle};
 
 /// The single ray of the same form. Fused forms are single at AVX2 only, of f32 and with u and v; long
 /// packets of fused f64 are held to those of one register, which `tests/lanes` holds to single rays.
@@ -112,6 +112,42 @@ fn every_drive_gives_what_single_rays_give() {
     }
     println!("{compared} comparisons, {hits} hits; skipped: {missing} forms of missing levels");
     assert!(compared >= 30 && hits > 20 * compared, "{compared} comparisons, {hits} hits");
+}
+
+/// Pairs of which some hit: each ray with what it hits among all triangles, and with another triangle.
+fn pairs(set: &NearestSet) -> (Vec<Ray>, Vec<Triangle>) {
+    let all = find(REFERENCE).and_then(|reference| reference.nearest.as_ref());
+    let answers = all.expect("it runs on all triangles")(&set.rays, &set.triangles).answers();
+    let others = (0..set.rays.len()).map(|ray| (ray, ray % set.triangles.len()));
+    let hits = answers.iter().enumerate().filter_map(|(ray, answer)| Some((ray, answer.triangle?)));
+    hits.chain(others).map(|(ray, triangle)| (set.rays[ray], set.triangles[triangle])).unzip()
+}
+
+#[test]
+fn vectors_in_registers_give_what_single_rays_give_on_pairs() {
+    let (mut compared, mut hits) = (0, 0);
+    let (rays, triangles) = pairs(&set(Kind::Random, 3));
+    let (driven, missing) = driven();
+    for variant in driven.into_iter().filter(|variant| variant.axes.drive == "single-vector") {
+        let answers = |variant: &Variant| {
+            let bind = variant.pairs.as_ref().expect("single rays run on pairs");
+            let mut job = bind(&rays, &triangles);
+            (job.answers(), job.run(Block::whole(job.as_ref())).hits)
+        };
+        let ((found, tally), (expected, _)) = (answers(variant), answers(yardstick(variant)));
+        let mut found_hits = 0;
+        for (pair, (found, expected)) in found.iter().zip(&expected).enumerate() {
+            let [of, expected] = [found, expected].map(|answer| bits(answer, "tuv"));
+            assert_eq!(of, expected, "{}, pair {pair}", variant.id());
+            found_hits += u64::from(found.triangle.is_some());
+        }
+        assert_eq!(tally, found_hits, "{}", variant.id());
+        (compared, hits) = (compared + 1, hits + found_hits);
+    }
+    println!("{compared} forms, {hits} hits; skipped: {missing} forms of missing levels");
+    // NEON has no such forms.
+    assert!(compared > 0 || cfg!(target_arch = "aarch64"));
+    assert!(hits >= 20 * compared, "{compared} forms, {hits} hits");
 }
 
 /// Rays that all drives can take, per variant.

@@ -1,9 +1,8 @@
 //! A vector in a register: x, y and z of one point or direction beside each other, inside one test
 //! (thesis H, 4.2).
 //!
-//! A number is a register of which the first lane counts. What the other lanes hold is of the same
-//! magnitude, so that nothing in them is slow, and nobody looks at it. Sums of products are made by
-//! [`Summing`]; all operations round as those of a scalar do, in the same order.
+//! A number is a register of which the first lane counts; nobody looks at what the others hold. Sums of
+//! products are made by [`Summing`]; all operations round as those of a scalar do, in the same order.
 
 use std::marker::PhantomData;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -14,8 +13,8 @@ use super::lanes::{LaneMask, Lanes};
 use super::shuffled::{Dotted, Shuffled};
 use super::{Mask, Real};
 
-/// A register of level `S`: a number, or a whole vector. A [`super::Vec3`] of them is one such vector, three
-/// times the same register.
+/// A register of level `S`: a number, or a whole vector. A [`super::Vec3`] of them is one such vector,
+/// three times the same register.
 #[derive(Clone, Copy)]
 pub struct Xyz<S: Simd, D>(Register<S>, PhantomData<D>);
 
