@@ -33,6 +33,7 @@ pub fn of_axes(axes: &Axes) -> Row {
         edges: axes.edges.into(),
         projection: axes.projection.into(),
         subnormals: axes.subnormals.into(),
+        cross: axes.cross.into(),
         dot: axes.dot.into(),
         build: BuildInfo::of_this_program().label(),
         ..Row::default()

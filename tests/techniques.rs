@@ -44,13 +44,21 @@ fn safe_sign_bits_decide_as_comparisons_do() {
     let numbers: Vec<f32> = SPECIAL.into_iter().filter(|x| !x.is_nan()).collect();
     for one in bounds().filter(|one| *one > 0.0) {
         for (u, v) in numbers.iter().flat_map(|u| numbers.iter().map(move |v| (*u, *v))) {
-            let inside = Compare::inside(u, v, one);
-            assert_eq!(SignBitsSafe::inside(u, v, one), inside, "inside {u} {v} {one}");
-            let both = Compare::share(u, one) & Compare::beside(u, v, one);
-            let safe = SignBitsSafe::share(u, one) & SignBitsSafe::beside(u, v, one);
-            assert_eq!(safe, both, "share and beside {u} {v} {one}");
-            hits[0] += usize::from(inside);
-            hits[1] += usize::from(both);
+            for mask in [false, true] {
+                let inside = Compare::inside(mask, u, v, one);
+                let safe = SignBitsSafe::inside(mask, u, v, one);
+                assert_eq!(safe, inside, "inside {u} {v} {one} where {mask}");
+                let both = Compare::beside(Compare::share(mask, u, one), u, v, one);
+                let share = SignBitsSafe::share(mask, u, one);
+                let safe = SignBitsSafe::beside(share, u, v, one);
+                assert_eq!(safe, both, "share and beside {u} {v} {one} where {mask}");
+                // A form that asks at the end leaves it to the sum that u is at most 1.
+                let sum = Compare::beside(Compare::ahead(mask, u), u, v, one);
+                let safe = SignBitsSafe::beside(SignBitsSafe::ahead(mask, u), u, v, one);
+                assert_eq!([sum, safe], [both; 2], "ahead and beside {u} {v} {one} where {mask}");
+                hits[0] += usize::from(inside);
+                hits[1] += usize::from(both);
+            }
         }
     }
     for (lower, upper) in bounds().flat_map(|lower| bounds().map(move |upper| (lower, upper))) {

@@ -6,11 +6,11 @@ use std::marker::PhantomData;
 use super::WIDEST;
 use super::best::{ANSWER_NUMBERS, Best};
 use super::group::{Packed, everywhere};
-use super::nearest::{Beginning, RAY_NUMBERS, Scene, align_frame, load, places};
+use super::nearest::{RAY_NUMBERS, Scene, align_frame, load, places};
 use crate::kernels::{Common, MOST_SHARED, Shares, Source};
 use crate::level::{Batch, Level, On};
 use crate::number::{Element, Real, Vec3};
-use crate::policy::{Policy, Ray};
+use crate::policy::{Exit, Miss, Policy, Ray};
 
 /// One loop over packets of rays `R` and groups of triangles, one to a lane of `G`, whose layout is
 /// that of [`super::Group`]. Rays of a packet must have in common what `C` says.
@@ -62,7 +62,7 @@ struct Kept<E>([E; MOST_SHARED * WIDEST]);
 /// What is shared of one triangle, in every lane.
 struct OfOne<'a, R: Real> {
     token: R::Token,
-    numbers: &'a [R::Element],
+    numbers: &'a [R::Element; MOST_SHARED * WIDEST],
     lane: usize,
     lanes: usize,
 }
@@ -70,7 +70,7 @@ struct OfOne<'a, R: Real> {
 impl<R: Real> Source<R> for OfOne<'_, R> {
     #[inline(always)]
     fn number(&self, place: usize) -> R {
-        R::splat(self.token, self.numbers[place * self.lanes + self.lane % self.lanes])
+        R::splat(self.token, self.numbers[place * self.lanes + self.lane])
     }
 }
 
@@ -100,14 +100,23 @@ where
             row.store(place);
         }
         let of = |lane| OfOne::<R> { token, numbers: &kept.0, lane, lanes: G::LANES };
+        if !P::Exit::DEFERS_RANGE {
+            for lane in 0..G::LANES {
+                step_shared::<K, P, R, C, _>(ray, &aim, &of(lane), index, &mut best);
+                index = index.successor();
+            }
+            continue;
+        }
         // The first part of a test is done before the second part of the one before it.
         let mut begun = K::begin_shared::<P, R, _>(ray, &aim, &of(0));
-        for lane in 1..=G::LANES {
+        for lane in 1..G::LANES {
             let next = K::begin_shared::<P, R, _>(ray, &aim, &of(lane));
             end::<K, P, R, C, _>(ray, &aim, (&of(lane - 1), begun), index, &mut best);
             begun = next;
             index = index.successor();
         }
+        end::<K, P, R, C, _>(ray, &aim, (&of(G::LANES - 1), begun), index, &mut best);
+        index = index.successor();
     }
     best
 }
@@ -137,7 +146,7 @@ pub fn step_shared<K, P, R, C, S>(
 fn end<K, P, R, C, S>(
     ray: &mut Ray<R>,
     aim: &K::Aim<R>,
-    (shared, begun): (&S, Beginning<K, R>),
+    (shared, begun): (&S, Result<<K as Shares<C>>::Begun<R>, Miss>),
     index: R,
     best: &mut Best<R>,
 ) where

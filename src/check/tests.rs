@@ -188,20 +188,3 @@ fn a_segment_does_not_leave_the_range_of_the_precision() {
     let still = Query { direction: [0.0; 3], ..HIT };
     assert_eq!(Known::of_ray(still, F32).of_segment().place, Place::Of(Class::Outside));
 }
-
-#[test]
-fn every_kernel_has_a_form_and_finds_a_plain_hit() {
-    assert!(kernels().len() >= 18, "{:?}", kernels());
-    for precision in Precision::ALL {
-        let ray = Known::of_ray(HIT, precision);
-        for form in kernels().iter().filter_map(|kernel| form(kernel, precision)) {
-            assert_eq!((form.axes.rounding, form.axes.tests), ("plain", "compare"));
-            let known = if form.is_segment { ray.of_segment() } else { ray };
-            let judged = Judged::of(&Reply::of(form, &known), &known);
-            assert_eq!(judged.verdict, Verdict::Agree, "{}", form.id());
-            assert_eq!(judged.values[0], Some(0.5), "{}", form.id());
-        }
-    }
-    let own = form("kensler-shirley", F32).expect("it is one of the first").axes.clone();
-    assert!(own.stored_is_native && own.leading_is_native && own.division == "last");
-}

@@ -130,7 +130,7 @@ fn contains<P: Policy, R: Real>(
     let gamma = P::signed(P::difference(tri.ab[0], q[1], q[0], tri.ab[1]), area);
     let both = P::joined(scale, area);
     let divisible = P::divisible(g) & P::divisible(both.one) & P::finite(both.one);
-    (divisible & P::inside(beta, gamma, both), [beta, gamma], both)
+    (P::inside(divisible, beta, gamma, both), [beta, gamma], both)
 }
 
 #[inline(always)]

@@ -162,9 +162,9 @@ impl<C: Column> Kernel for BaldwinWeber<C> {
         let Begun { hit, t, scale, .. } = *begun;
         let point = point_on::<P, R>(ray, t, scale);
         let u = share::<P, R>(point, tri.b, tri.b_offset, scale);
-        let hit = P::keep(hit & P::share(u, scale), 3)?;
+        let hit = P::keep(P::share(hit, u, scale), 3)?;
         let v = share::<P, R>(point, tri.c, tri.c_offset, scale);
-        let hit = P::keep(hit & P::beside(u, v, scale), 4)?;
+        let hit = P::keep(P::beside(hit, u, v, scale), 4)?;
         begun.finish::<P>(hit, ray, [t, u, v])
     }
 

@@ -34,6 +34,18 @@ impl<R: Real> Begun<R> {
             None => Begun::new::<P>(hit, t, scale),
         }
     }
+    /// Of a determinant that divides everything, t too, which comes later: in its place stands the
+    /// determinant. `divided` is what [`Policy::divided`] gave, where that is known.
+    #[inline(always)]
+    pub fn dividing<P: Policy>(hit: R::Mask, det: R, divided: Option<R>) -> Self {
+        match divided {
+            Some(divided) => {
+                let (scale, inverse) = P::divided_by(det, divided);
+                Begun { hit, t: det, scale, inverse: Some(inverse) }
+            }
+            None => Begun::new::<P>(hit, det, P::divide(det)),
+        }
+    }
     /// [`Policy::finish`], by the division that was begun, if it was.
     #[inline(always)]
     pub fn finish<P: Policy>(

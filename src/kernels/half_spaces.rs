@@ -92,8 +92,9 @@ pub enum Depth<R> {
 }
 
 impl<R: Real> Depth<R> {
+    /// The number, by the normal `n`.
     #[inline(always)]
-    fn along<P: Policy>(self, n: Vec3<R>) -> R {
+    pub fn along<P: Policy>(self, n: Vec3<R>) -> R {
         match self {
             Depth::Known(depth) => depth,
             Depth::To(oa) => P::dot(n, oa),

@@ -119,7 +119,8 @@ fn contains<P: Policy, R: Real>(
         let z = x + y - both.one;
         z.sign_bit() & !(x.sign_bit() | y.sign_bit())
     } else {
-        P::divisible(g) & P::divisible(both.one) & P::finite(both.one) & P::inside(x, y, both)
+        let divisible = P::divisible(g) & P::divisible(both.one) & P::finite(both.one);
+        P::inside(divisible, x, y, both)
     };
     (inside, [x, y], both)
 }

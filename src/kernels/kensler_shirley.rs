@@ -10,17 +10,18 @@
 
 use std::marker::PhantomData;
 
-use super::begun::in_one_piece;
-use super::shares::{Known, known, shared_in_one_piece};
+use super::half_spaces::Depth;
+use super::shares::known;
 use super::stored::Frame;
-use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source, Stored};
+use super::triple::{Triple, WithDirection};
+use super::{About, Begun, CommonOrigin, Corners, Kernel, Parallel, Shares, Source, Stored};
 use crate::number::{Element, Real, Vec3};
 use crate::policy::{Found, Leading, Miss, Policy, Ray, Scale};
 
-/// See the module's text. `S` says what is stored.
-pub struct KenslerShirley<S>(PhantomData<S>);
+/// See the module's text. `S` says what is stored, `O` in which order triple products are multiplied.
+pub struct KenslerShirley<S, O = WithDirection>(PhantomData<(S, O)>);
 
-impl<S: Stored> Kernel for KenslerShirley<S> {
+impl<S: Stored, O: Triple> Kernel for KenslerShirley<S, O> {
     const ABOUT: About = About {
         id: "kensler-shirley",
         name: "Kensler-Shirley",
@@ -34,29 +35,44 @@ impl<S: Stored> Kernel for KenslerShirley<S> {
     type Record<E: Element> = S::Record<E>;
     type Met<R: Real> = Frame<R>;
     type Aim<R: Real> = ();
+    /// Nothing where N is computed: both parts would compute it.
+    type Begun<R: Real> = Option<Begun<R>>;
 
     fn prepare<E: Element>(corners: &Corners<E>) -> S::Record<E> {
         S::prepare(corners)
     }
 
     #[inline(always)]
-    fn read<P: Policy, T: Real, O: Source<T>>(stored: &O) -> Frame<T> {
-        S::read::<P, T, O>(stored)
+    fn read<P: Policy, T: Real, M: Source<T>>(stored: &M) -> Frame<T> {
+        S::read::<P, T, M>(stored)
     }
 
     #[inline(always)]
     fn aim<P: Policy, R: Real>(_: &Ray<R>) {}
 
-    in_one_piece!();
+    #[inline(always)]
+    fn begin<P: Policy, R: Real>(
+        ray: &Ray<R>,
+        (): &(),
+        tri: &Frame<R>,
+    ) -> Result<Option<Begun<R>>, Miss> {
+        Ok(if S::STORES_NORMAL { Some(begin::<P, R>(ray, tri.n, None)?) } else { None })
+    }
 
     #[inline(always)]
     fn end<P: Policy, R: Real>(
         ray: &Ray<R>,
         (): &(),
         tri: &Frame<R>,
-        (): &(),
+        begun: &Option<Begun<R>>,
     ) -> Result<Found<R>, Miss> {
-        test_knowing::<P, R>(ray, tri, Known::NOTHING)
+        let begun = match begun {
+            Some(begun) => *begun,
+            None => begin::<P, R>(ray, tri.n, None)?,
+        };
+        let oa = tri.a - ray.origin;
+        let seen = O::seen::<P, R>(oa, tri);
+        end::<O, P, R>(ray, &begun, &seen, (tri.n, Depth::To(oa)))
     }
 
     #[inline(always)]
@@ -65,138 +81,124 @@ impl<S: Stored> Kernel for KenslerShirley<S> {
     }
 }
 
-/// What follows from the origin: OA and N . OA.
-#[derive(Clone, Copy)]
-struct FromOrigin<R> {
-    oa: Vec3<R>,
-    depth: R,
-}
-
-/// What follows from the direction: det and the inverse of its scale.
+/// What follows from the direction: det and the division by it.
 #[derive(Clone, Copy)]
 struct FromDirection<R> {
     det: R,
-    inverse: R,
+    divided: R,
 }
 
+/// The first part of the test, of which some may be known.
 #[inline(always)]
-fn seen<R: Real>(tri: &Frame<R>, ray: &Ray<R>) -> Vec3<R> {
-    tri.a - ray.origin
-}
-
-#[inline(always)]
-fn depth<P: Policy, R: Real>(tri: &Frame<R>, oa: Vec3<R>) -> R {
-    P::dot(tri.n, oa)
-}
-
-#[inline(always)]
-fn determinant<P: Policy, R: Real>(tri: &Frame<R>, ray: &Ray<R>) -> R {
-    P::dot(ray.direction, tri.n)
-}
-
-/// The test, of which some is known.
-#[inline(always)]
-fn test_knowing<P: Policy, R: Real>(
+fn begin<P: Policy, R: Real>(
     ray: &Ray<R>,
-    tri: &Frame<R>,
-    known: Known<FromOrigin<R>, FromDirection<R>>,
-) -> Result<Found<R>, Miss> {
-    let det = known!(known.direction.det, determinant::<P, R>(tri, ray));
-    let scale = P::divide(det);
+    n: Vec3<R>,
+    direction: Option<FromDirection<R>>,
+) -> Result<Begun<R>, Miss> {
+    let det = known!(direction.det, P::dot(ray.direction, n));
     let hit = P::keep(P::divisible(det), 1)?;
-    let oa = known!(known.origin.oa, seen(tri, ray));
+    Ok(Begun::dividing::<P>(hit, det, known!(direction.divided)))
+}
+
+/// The rest of it.
+#[inline(always)]
+fn end<O: Triple, P: Policy, R: Real>(
+    ray: &Ray<R>,
+    begun: &Begun<R>,
+    seen: &O::Seen<R>,
+    (n, depth): (Vec3<R>, Depth<R>),
+) -> Result<Found<R>, Miss> {
+    let Begun { hit, scale, .. } = *begun;
     let (hit, [t, u, v]) = if P::Leading::DISTANCE {
-        let t = P::signed(known!(known.origin.depth, depth::<P, R>(tri, oa)), scale);
+        let t = P::signed(depth.along::<P>(n), scale);
         let hit = P::keep_range(hit, ray, t, scale, 2)?;
-        let (hit, u, v) = keep_inside::<P, R>(hit, ray, oa, tri, scale)?;
+        let (hit, [u, v]) = keep_inside::<O, P, R>(hit, ray, seen, scale)?;
         (hit, [t, u, v])
     } else {
-        let (hit, u, v) = keep_inside::<P, R>(hit, ray, oa, tri, scale)?;
-        let t = P::signed(known!(known.origin.depth, depth::<P, R>(tri, oa)), scale);
+        let (hit, [u, v]) = keep_inside::<O, P, R>(hit, ray, seen, scale)?;
+        let t = P::signed(depth.along::<P>(n), scale);
         (P::keep_range(hit, ray, t, scale, 2)?, [t, u, v])
     };
-    let hit = P::settle(hit, ray, t, scale)?;
-    let inverse = known!(known.direction.inverse, P::inverse(scale));
-    Ok(P::finish_by(hit, ray, [t, u, v], inverse))
+    begun.finish::<P>(hit, ray, [t, u, v])
 }
 
-/// OA in place of a, the edges, N.
 #[inline(always)]
-fn numbers<R: Real>(a: Vec3<R>, tri: &Frame<R>) -> [R; 12] {
-    let ([ax, ay, az], [nx, ny, nz]) = (a.0, tri.n.0);
-    let ([bx, by, bz], [cx, cy, cz]) = (tri.ab.0, tri.ca.0);
-    [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz]
+fn keep_inside<O: Triple, P: Policy, R: Real>(
+    hit: R::Mask,
+    ray: &Ray<R>,
+    seen: &O::Seen<R>,
+    scale: Scale<R>,
+) -> Result<(R::Mask, [R; 2]), Miss> {
+    let [u, v] = O::weights::<P, R>(seen, ray.direction);
+    let [u, v] = [P::signed(u, scale), P::signed(v, scale)];
+    Ok((P::keep(P::inside(hit, u, v, scale), 3)?, [u, v]))
 }
 
-/// What [`numbers`] wrote.
-#[inline(always)]
-fn frame<R: Real, O: Source<R>>(shared: &O) -> Frame<R> {
-    Frame { a: shared.vector(0), ab: shared.vector(3), ca: shared.vector(6), n: shared.vector(9) }
-}
-
-impl<S: Stored> Shares<CommonOrigin> for KenslerShirley<S> {
-    /// OA, the edges, N, N . OA.
-    type Shared<R: Real> = [R; 13];
+impl<S: Stored, O: Triple> Shares<CommonOrigin> for KenslerShirley<S, O> {
+    type Shared<R: Real> = O::Numbers<R>;
+    type Begun<R: Real> = Begun<R>;
 
     #[inline(always)]
-    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Frame<R>) -> [R; 13] {
-        let oa = seen(tri, ray);
-        let [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz] = numbers(oa, tri);
-        [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, depth::<P, R>(tri, oa)]
+    fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Frame<R>) -> O::Numbers<R> {
+        let oa = tri.a - ray.origin;
+        O::numbers(tri.n, P::dot(tri.n, oa), &O::seen::<P, R>(oa, tri))
     }
 
-    shared_in_one_piece!();
-
     #[inline(always)]
-    fn end_shared<P: Policy, R: Real, O: Source<R>>(
+    fn begin_shared<P: Policy, R: Real, M: Source<R>>(
         ray: &Ray<R>,
         (): &(),
-        shared: &O,
+        shared: &M,
+    ) -> Result<Begun<R>, Miss> {
+        begin::<P, R>(ray, shared.vector(0), None)
+    }
+
+    #[inline(always)]
+    fn end_shared<P: Policy, R: Real, M: Source<R>>(
+        ray: &Ray<R>,
         (): &(),
+        shared: &M,
+        begun: &Begun<R>,
     ) -> Result<Found<R>, Miss> {
-        let tri = frame(shared);
-        let origin = FromOrigin { oa: tri.a, depth: shared.number(12) };
-        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
+        let depth = Depth::Known(shared.number(3));
+        end::<O, P, R>(ray, begun, &O::read(shared), (shared.vector(0), depth))
     }
 }
 
 impl<S: Stored> Shares<Parallel> for KenslerShirley<S> {
-    /// The corner, the edges, N, det and its inverse.
+    /// The corner, the edges, N, det and the division by it.
     type Shared<R: Real> = [R; 14];
+    type Begun<R: Real> = Begun<R>;
 
     #[inline(always)]
     fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Frame<R>) -> [R; 14] {
-        let det = determinant::<P, R>(tri, ray);
-        let [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz] = numbers(tri.a, tri);
-        let inverse = P::inverse(P::divide(det));
-        [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, det, inverse]
+        let ([ax, ay, az], [nx, ny, nz]) = (tri.a.0, tri.n.0);
+        let ([bx, by, bz], [cx, cy, cz]) = (tri.ab.0, tri.ca.0);
+        let det = P::dot(ray.direction, tri.n);
+        [ax, ay, az, bx, by, bz, cx, cy, cz, nx, ny, nz, det, P::divided(det)]
     }
-
-    shared_in_one_piece!();
 
     #[inline(always)]
-    fn end_shared<P: Policy, R: Real, O: Source<R>>(
+    fn begin_shared<P: Policy, R: Real, M: Source<R>>(
         ray: &Ray<R>,
         (): &(),
-        shared: &O,
-        (): &(),
-    ) -> Result<Found<R>, Miss> {
-        let direction = FromDirection { det: shared.number(12), inverse: shared.number(13) };
-        let known = Known { origin: None, direction: Some(direction) };
-        test_knowing::<P, R>(ray, &frame(shared), known)
+        shared: &M,
+    ) -> Result<Begun<R>, Miss> {
+        let direction = FromDirection { det: shared.number(12), divided: shared.number(13) };
+        begin::<P, R>(ray, shared.vector(9), Some(direction))
     }
-}
 
-#[inline(always)]
-fn keep_inside<P: Policy, R: Real>(
-    hit: R::Mask,
-    ray: &Ray<R>,
-    oa: Vec3<R>,
-    tri: &Frame<R>,
-    scale: Scale<R>,
-) -> Result<(R::Mask, R, R), Miss> {
-    let i = P::cross(oa, ray.direction);
-    let u = P::signed(P::dot(i, tri.ca), scale);
-    let v = P::signed(P::dot(i, tri.ab), scale);
-    Ok((P::keep(hit & P::inside(u, v, scale), 3)?, u, v))
+    #[inline(always)]
+    fn end_shared<P: Policy, R: Real, M: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &M,
+        begun: &Begun<R>,
+    ) -> Result<Found<R>, Miss> {
+        let (a, n) = (shared.vector(0), shared.vector(9));
+        let tri = Frame { a, ab: shared.vector(3), ca: shared.vector(6), n };
+        let oa = a - ray.origin;
+        let seen = WithDirection::seen::<P, R>(oa, &tri);
+        end::<WithDirection, P, R>(ray, begun, &seen, (n, Depth::To(oa)))
+    }
 }

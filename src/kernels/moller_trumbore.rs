@@ -10,8 +10,8 @@
 //! leak; d x e2 cancels for directions along an edge.
 
 use super::begun::in_one_piece;
-use super::shares::{Known, known, shared_in_one_piece};
-use super::{About, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
+use super::shares::known;
+use super::{About, Begun, CommonOrigin, Corners, Kernel, Parallel, Shares, Source};
 use crate::number::{Element, Real, Vec3, spread};
 use crate::policy::{Found, Leading, Miss, Policy, Ray, Scale};
 
@@ -73,7 +73,8 @@ impl Kernel for MollerTrumbore {
         tri: &Met<R>,
         (): &(),
     ) -> Result<Found<R>, Miss> {
-        test_knowing::<P, R>(ray, tri, Known::NOTHING)
+        let begun = begin_knowing::<P, R>(ray, tri, None)?;
+        end_knowing::<P, R>(ray, tri, &begun, None)
     }
 
     #[inline(always)]
@@ -90,12 +91,19 @@ struct FromOrigin<R> {
     depth: R,
 }
 
-/// What follows from the direction: p, det and the inverse of its scale.
+/// What follows from the direction: p, det and the division by it.
 #[derive(Clone, Copy)]
 struct FromDirection<R> {
     p: Vec3<R>,
     det: R,
-    inverse: R,
+    divided: R,
+}
+
+/// What the first part of a test leaves to the second: the determinant's division, and p.
+#[derive(Clone, Copy)]
+pub struct Divided<R: Real> {
+    begun: Begun<R>,
+    p: Vec3<R>,
 }
 
 impl<R: Real> Met<R> {
@@ -121,40 +129,51 @@ impl<R: Real> Met<R> {
     }
 }
 
-/// The test, of which some is known.
+/// The first part of the test, of which some is known.
 #[inline(always)]
-fn test_knowing<P: Policy, R: Real>(
+fn begin_knowing<P: Policy, R: Real>(
     ray: &Ray<R>,
     tri: &Met<R>,
-    known: Known<FromOrigin<R>, FromDirection<R>>,
-) -> Result<Found<R>, Miss> {
-    let p = known!(known.direction.p, tri.p::<P>(ray));
-    let det = known!(known.direction.det, tri.det::<P>(p));
-    let scale = P::divide(det);
+    direction: Option<FromDirection<R>>,
+) -> Result<Divided<R>, Miss> {
+    let p = known!(direction.p, tri.p::<P>(ray));
+    let det = known!(direction.det, tri.det::<P>(p));
     let hit = P::keep(P::divisible(det), 1)?;
-    let s = known!(known.origin.s, tri.s(ray));
+    Ok(Divided { begun: Begun::dividing::<P>(hit, det, known!(direction.divided)), p })
+}
+
+/// The rest of it.
+#[inline(always)]
+fn end_knowing<P: Policy, R: Real>(
+    ray: &Ray<R>,
+    tri: &Met<R>,
+    divided: &Divided<R>,
+    origin: Option<FromOrigin<R>>,
+) -> Result<Found<R>, Miss> {
+    let Divided { begun, p } = *divided;
+    let Begun { hit, scale, .. } = begun;
+    let s = known!(origin.s, tri.s(ray));
     let (hit, [t, u, v]) = if P::Leading::DISTANCE {
-        let q = known!(known.origin.q, tri.q::<P>(s));
-        let t = P::signed(known!(known.origin.depth, tri.depth::<P>(q)), scale);
+        let q = known!(origin.q, tri.q::<P>(s));
+        let t = P::signed(known!(origin.depth, tri.depth::<P>(q)), scale);
         let hit = P::keep_range(hit, ray, t, scale, 4)?;
         let (hit, u) = keep_u::<P, R>(hit, s, p, scale)?;
         let (hit, v) = keep_v::<P, R>(hit, ray, q, u, scale)?;
         (hit, [t, u, v])
     } else {
         let (hit, u) = keep_u::<P, R>(hit, s, p, scale)?;
-        let q = known!(known.origin.q, tri.q::<P>(s));
+        let q = known!(origin.q, tri.q::<P>(s));
         let (hit, v) = keep_v::<P, R>(hit, ray, q, u, scale)?;
-        let t = P::signed(known!(known.origin.depth, tri.depth::<P>(q)), scale);
+        let t = P::signed(known!(origin.depth, tri.depth::<P>(q)), scale);
         (P::keep_range(hit, ray, t, scale, 4)?, [t, u, v])
     };
-    let hit = P::settle(hit, ray, t, scale)?;
-    let inverse = known!(known.direction.inverse, P::inverse(scale));
-    Ok(P::finish_by(hit, ray, [t, u, v], inverse))
+    begun.finish::<P>(hit, ray, [t, u, v])
 }
 
 impl Shares<CommonOrigin> for MollerTrumbore {
     /// s, q, the edges, e2 . q.
     type Shared<R: Real> = [R; 13];
+    type Begun<R: Real> = Divided<R>;
 
     #[inline(always)]
     fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> [R; 13] {
@@ -165,26 +184,38 @@ impl Shares<CommonOrigin> for MollerTrumbore {
         [sx, sy, sz, qx, qy, qz, ax, ay, az, bx, by, bz, tri.depth::<P>(q)]
     }
 
-    shared_in_one_piece!();
+    #[inline(always)]
+    fn begin_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Divided<R>, Miss> {
+        begin_knowing::<P, R>(ray, &from_one_point(shared), None)
+    }
 
     #[inline(always)]
     fn end_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-        (): &(),
+        begun: &Divided<R>,
     ) -> Result<Found<R>, Miss> {
-        // The corner itself is behind s.
-        let tri = Met { a: shared.vector(0), e1: shared.vector(6), e2: shared.vector(9) };
-        let origin =
-            FromOrigin { s: shared.vector(0), q: shared.vector(3), depth: shared.number(12) };
-        test_knowing::<P, R>(ray, &tri, Known { origin: Some(origin), direction: None })
+        let tri = from_one_point(shared);
+        let origin = FromOrigin { s: tri.a, q: shared.vector(3), depth: shared.number(12) };
+        end_knowing::<P, R>(ray, &tri, begun, Some(origin))
     }
 }
 
+/// The edges, of what rays with one origin share; in the place of the corner, which is behind s, stands s.
+#[inline(always)]
+fn from_one_point<R: Real, S: Source<R>>(shared: &S) -> Met<R> {
+    Met { a: shared.vector(0), e1: shared.vector(6), e2: shared.vector(9) }
+}
+
 impl Shares<Parallel> for MollerTrumbore {
-    /// The corner, the edges, p, det and its inverse.
+    /// The corner, the edges, p, det and the division by it.
     type Shared<R: Real> = [R; 14];
+    type Begun<R: Real> = Divided<R>;
 
     #[inline(always)]
     fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> [R; 14] {
@@ -192,24 +223,36 @@ impl Shares<Parallel> for MollerTrumbore {
         let det = tri.det::<P>(p);
         let ([ax, ay, az], [px, py, pz]) = (tri.a.0, p.0);
         let ([bx, by, bz], [cx, cy, cz]) = (tri.e1.0, tri.e2.0);
-        let inverse = P::inverse(P::divide(det));
-        [ax, ay, az, bx, by, bz, cx, cy, cz, px, py, pz, det, inverse]
+        let divided = P::divided(det);
+        [ax, ay, az, bx, by, bz, cx, cy, cz, px, py, pz, det, divided]
     }
 
-    shared_in_one_piece!();
+    #[inline(always)]
+    fn begin_shared<P: Policy, R: Real, S: Source<R>>(
+        ray: &Ray<R>,
+        (): &(),
+        shared: &S,
+    ) -> Result<Divided<R>, Miss> {
+        let (p, det, divided) = (shared.vector(9), shared.number(12), shared.number(13));
+        let direction = FromDirection { p, det, divided };
+        begin_knowing::<P, R>(ray, &in_one_direction(shared), Some(direction))
+    }
 
     #[inline(always)]
     fn end_shared<P: Policy, R: Real, S: Source<R>>(
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-        (): &(),
+        begun: &Divided<R>,
     ) -> Result<Found<R>, Miss> {
-        let tri = Met { a: shared.vector(0), e1: shared.vector(3), e2: shared.vector(6) };
-        let (p, det, inverse) = (shared.vector(9), shared.number(12), shared.number(13));
-        let direction = FromDirection { p, det, inverse };
-        test_knowing::<P, R>(ray, &tri, Known { origin: None, direction: Some(direction) })
+        end_knowing::<P, R>(ray, &in_one_direction(shared), begun, None)
     }
+}
+
+/// The corner and the edges, of what rays with one direction share.
+#[inline(always)]
+fn in_one_direction<R: Real, S: Source<R>>(shared: &S) -> Met<R> {
+    Met { a: shared.vector(0), e1: shared.vector(3), e2: shared.vector(6) }
 }
 
 #[inline(always)]
@@ -220,7 +263,7 @@ fn keep_u<P: Policy, R: Real>(
     scale: Scale<R>,
 ) -> Result<(R::Mask, R), Miss> {
     let u = P::signed(P::dot(s, p), scale);
-    Ok((P::keep(hit & P::share(u, scale), 2)?, u))
+    Ok((P::keep(P::share(hit, u, scale), 2)?, u))
 }
 
 #[inline(always)]
@@ -232,5 +275,5 @@ fn keep_v<P: Policy, R: Real>(
     scale: Scale<R>,
 ) -> Result<(R::Mask, R), Miss> {
     let v = P::signed(P::dot(ray.direction, q), scale);
-    Ok((P::keep(hit & P::beside(u, v, scale), 3)?, v))
+    Ok((P::keep(P::beside(hit, u, v, scale), 3)?, v))
 }

@@ -84,7 +84,7 @@ impl Kernel for PerpendicularPlanes {
         let point = point_on::<P, R>(ray, begun.t, begun.scale);
         let u = share::<P, R>(point, tri.b, tri.bd, begun.scale);
         let v = share::<P, R>(point, tri.c, tri.cd, begun.scale);
-        let hit = P::keep(begun.hit & P::inside(u, v, begun.scale), 3)?;
+        let hit = P::keep(P::inside(begun.hit, u, v, begun.scale), 3)?;
         begun.finish::<P>(hit, ray, [begun.t, u, v])
     }
 
@@ -152,6 +152,7 @@ fn begin_knowing<P: Policy, R: Real>(
 impl Shares<CommonOrigin> for PerpendicularPlanes {
     /// The planes, the first one's distance counted from the origin of the rays.
     type Shared<R: Real> = [R; 12];
+    type Begun<R: Real> = Begun<R>;
 
     #[inline(always)]
     fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Planes<R>) -> [R; 12] {
@@ -183,6 +184,7 @@ impl Shares<CommonOrigin> for PerpendicularPlanes {
 impl Shares<Parallel> for PerpendicularPlanes {
     /// The planes, det and its inverse.
     type Shared<R: Real> = [R; 14];
+    type Begun<R: Real> = Begun<R>;
 
     #[inline(always)]
     fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Planes<R>) -> [R; 14] {

@@ -34,7 +34,9 @@ pub trait Shares<C: Common>: Kernel {
     type Shared<R: Real>: AsRef<[R]> + Copy;
     /// What is shared, of one triangle or of one per lane. Of `ray`, only what is common may be read.
     fn share<P: Policy, R: Real>(ray: &Ray<R>, met: &Self::Met<R>) -> Self::Shared<R>;
-    /// What is left of [`Kernel::begin`].
+    /// What the first part of what is left gives to the second; `()` where it is in one piece.
+    type Begun<R: Real>: Copy;
+    /// What is left of [`Kernel::test`] up to its division, or its determinant.
     ///
     /// # Errors
     /// As [`Kernel::test`].
@@ -42,8 +44,8 @@ pub trait Shares<C: Common>: Kernel {
         ray: &Ray<R>,
         aim: &Self::Aim<R>,
         shared: &S,
-    ) -> Result<Self::Begun<R>, Miss>;
-    /// What is left of [`Kernel::end`].
+    ) -> Result<<Self as Shares<C>>::Begun<R>, Miss>;
+    /// The rest of it.
     ///
     /// # Errors
     /// As [`Kernel::test`].
@@ -51,12 +53,14 @@ pub trait Shares<C: Common>: Kernel {
         ray: &Ray<R>,
         aim: &Self::Aim<R>,
         shared: &S,
-        begun: &Self::Begun<R>,
+        begun: &<Self as Shares<C>>::Begun<R>,
     ) -> Result<Found<R>, Miss>;
 }
 
-/// `known!(known.part.value, other)`: the value of that name, if that part of a test is known, else the
-/// other. Which one is decided when a form is compiled.
+/// `known!(part.value, other)`, or `known!(known.part.value, other)` of a [`Known`]: the value of that
+/// name, if that part of a test is known, else the other.
+/// Which one is decided when a form is compiled. No closures: one that is not inlined is compiled without
+/// the instructions of its level.
 macro_rules! known {
     ($known:ident.$part:ident.$value:ident, $otherwise:expr) => {
         match $known.$part {
@@ -64,11 +68,25 @@ macro_rules! known {
             None => $otherwise,
         }
     };
+    ($part:ident.$value:ident, $otherwise:expr) => {
+        match $part {
+            Some(part) => part.$value,
+            None => $otherwise,
+        }
+    };
+    ($part:ident.$value:ident) => {
+        match $part {
+            Some(part) => Some(part.$value),
+            None => None,
+        }
+    };
 }
 
 /// [`Shares::begin_shared`] of a test that is in one piece.
 macro_rules! shared_in_one_piece {
     () => {
+        type Begun<R: Real> = ();
+
         #[inline(always)]
         fn begin_shared<P: Policy, R: Real, T: Source<R>>(
             _: &Ray<R>,

@@ -114,7 +114,7 @@ impl Kernel for Shevtsov {
         let dv = P::multiply_add(v.pick(d), t, P::scaled(v.pick(o) - tri.a[1], scale));
         let beta = P::difference(tri.e2[1], du, tri.e2[0], dv);
         let gamma = P::difference(tri.e1[0], dv, tri.e1[1], du);
-        let hit = P::keep(hit & P::inside(beta, gamma, scale), 3)?;
+        let hit = P::keep(P::inside(hit, beta, gamma, scale), 3)?;
         begun.finish::<P>(hit, ray, [t, beta, gamma])
     }
 

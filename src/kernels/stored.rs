@@ -12,6 +12,8 @@ use crate::policy::Policy;
 pub trait Stored: 'static {
     /// The column `stored`.
     const NAME: &'static str;
+    /// Whether N is in the record.
+    const STORES_NORMAL: bool;
     /// What is prepared, in words.
     const SETUP: &'static str;
     /// The record.
@@ -79,6 +81,7 @@ pub struct Precomputed;
 
 impl Stored for Vertices {
     const NAME: &'static str = "vertices";
+    const STORES_NORMAL: bool = false;
     const SETUP: &'static str = "none: three vertices";
     type Record<E: Element> = [E; 9];
 
@@ -95,6 +98,7 @@ impl Stored for Vertices {
 
 impl Stored for WithNormal {
     const NAME: &'static str = "normal";
+    const STORES_NORMAL: bool = true;
     const SETUP: &'static str = "the normal";
     type Record<E: Element> = [E; 12];
 
@@ -112,6 +116,7 @@ impl Stored for WithNormal {
 
 impl Stored for Precomputed {
     const NAME: &'static str = "precomputed";
+    const STORES_NORMAL: bool = true;
     const SETUP: &'static str = "two edges and the normal";
     type Record<E: Element> = [E; 12];
 

@@ -103,7 +103,7 @@ impl<X: Projection> Kernel for Wald<X> {
         let pv = P::along(v.pick(o), v.pick(d), t, scale);
         let beta = share::<P, R>(pu, pv, tri.b, scale);
         let gamma = share::<P, R>(pu, pv, tri.c, scale);
-        let hit = P::keep(hit & P::inside(beta, gamma, scale), 3)?;
+        let hit = P::keep(P::inside(hit, beta, gamma, scale), 3)?;
         begun.finish::<P>(hit, ray, [t, beta, gamma])
     }
 

@@ -175,11 +175,11 @@ fn end_knowing<P: Policy, R: Real>(
     let o = known!(known.origin.x, tri.x.of_origin::<P>(ray));
     let d = known!(known.direction.x, tri.x.of_direction::<P>(ray));
     let u = P::along(o, d, t, scale);
-    let hit = P::keep(hit & P::share(u, scale), 3)?;
+    let hit = P::keep(P::share(hit, u, scale), 3)?;
     let o = known!(known.origin.y, tri.y.of_origin::<P>(ray));
     let d = known!(known.direction.y, tri.y.of_direction::<P>(ray));
     let v = P::along(o, d, t, scale);
-    let hit = P::keep(hit & P::beside(u, v, scale), 4)?;
+    let hit = P::keep(P::beside(hit, u, v, scale), 4)?;
     begun.finish::<P>(hit, ray, [t, u, v])
 }
 
@@ -201,6 +201,7 @@ fn direction<R: Real, S: Source<R>>(shared: &S) -> Known<FromOrigin<R>, FromDire
 impl Shares<CommonOrigin> for WoopAffine {
     /// The rows, with the origin's components in the places of the offsets.
     type Shared<R: Real> = [R; 12];
+    type Begun<R: Real> = Begun<R>;
 
     #[inline(always)]
     fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Rows<R>) -> [R; 12] {
@@ -233,6 +234,7 @@ impl Shares<CommonOrigin> for WoopAffine {
 impl Shares<Parallel> for WoopAffine {
     /// The rows, the direction's components, the inverse of that of z.
     type Shared<R: Real> = [R; 16];
+    type Begun<R: Real> = Begun<R>;
 
     #[inline(always)]
     fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Rows<R>) -> [R; 16] {

@@ -9,6 +9,8 @@ use crate::number::{Mask, Real};
 pub trait Exit: Copy + 'static {
     /// The column `exit`.
     const NAME: &'static str;
+    /// Whether the answers of all tests are united, so that no test ends between the first and the last.
+    const UNITES: bool;
     /// Whether the range test waits for the end.
     const DEFERS_RANGE: bool;
     /// Whether what few lanes need is computed: in `early` where one does, else always.
@@ -35,6 +37,7 @@ pub struct Full;
 
 impl Exit for Early {
     const NAME: &'static str = "early";
+    const UNITES: bool = false;
     const DEFERS_RANGE: bool = false;
     #[inline(always)]
     fn corrects<M: Mask>(needed: M) -> bool {
@@ -63,6 +66,7 @@ impl Exit for Early {
 
 impl Exit for Once {
     const NAME: &'static str = "once";
+    const UNITES: bool = true;
     const DEFERS_RANGE: bool = false;
     #[inline(always)]
     fn corrects<M: Mask>(_: M) -> bool {
@@ -91,6 +95,7 @@ impl Exit for Once {
 
 impl Exit for Full {
     const NAME: &'static str = "full";
+    const UNITES: bool = true;
     const DEFERS_RANGE: bool = true;
     #[inline(always)]
     fn corrects<M: Mask>(_: M) -> bool {

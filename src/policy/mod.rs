@@ -140,20 +140,25 @@ pub trait Policy: Copy + 'static {
         let lower = if Self::Span::FROM_ZERO { t.zero() } else { Self::scaled(ray.t_min, scale) };
         mask & Self::Tests::range::<Self::Span, R>(t, lower, Self::scaled(ray.t_max, scale))
     }
-    /// Where a numerator is between 0 and `one`.
+    /// `hit` where a numerator is between 0 and `one`. Where no test ends here, `one` is left to
+    /// [`Policy::beside`]: rounding is monotone, so that u + v, v not being negative, is at least u.
     #[inline(always)]
-    fn share<R: Real>(u: R, scale: Scale<R>) -> R::Mask {
-        Self::Tests::share(u, scale.one)
+    fn share<R: Real>(hit: R::Mask, u: R, scale: Scale<R>) -> R::Mask {
+        if Self::Exit::UNITES && !Self::Tests::AS_PUBLISHED {
+            Self::Tests::ahead(hit, u)
+        } else {
+            Self::Tests::share(hit, u, scale.one)
+        }
     }
-    /// Where `v` and what u and v leave of `one` are not negative, behind [`Policy::share`] of u.
+    /// `hit` where `v` and what u and v leave of `one` are not negative, behind [`Policy::share`] of u.
     #[inline(always)]
-    fn beside<R: Real>(u: R, v: R, scale: Scale<R>) -> R::Mask {
-        Self::Tests::beside(u, v, scale.one)
+    fn beside<R: Real>(hit: R::Mask, u: R, v: R, scale: Scale<R>) -> R::Mask {
+        Self::Tests::beside(hit, u, v, scale.one)
     }
-    /// Where both numerators and what they leave of `one` are not negative.
+    /// `hit` where both numerators and what they leave of `one` are not negative.
     #[inline(always)]
-    fn inside<R: Real>(u: R, v: R, scale: Scale<R>) -> R::Mask {
-        Self::Tests::inside(u, v, scale.one)
+    fn inside<R: Real>(hit: R::Mask, u: R, v: R, scale: Scale<R>) -> R::Mask {
+        Self::Tests::inside(hit, u, v, scale.one)
     }
 
     /// Numerators are flipped by the sign of `det`, so that `one` is positive. Not needed where it
@@ -169,6 +174,16 @@ pub trait Policy: Copy + 'static {
     #[inline(always)]
     fn divide<R: Real>(det: R) -> Scale<R> {
         Self::Division::divide::<Self, R>(det)
+    }
+    /// The one division of [`Policy::divide`] and [`Policy::inverse`], for those who share it.
+    #[inline(always)]
+    fn divided<R: Real>(det: R) -> R {
+        Self::Division::divided::<Self, R>(det)
+    }
+    /// What [`Policy::divide`] and [`Policy::inverse`] give, by the division that was done.
+    #[inline(always)]
+    fn divided_by<R: Real>(det: R, divided: R) -> (Scale<R>, R) {
+        Self::Division::divided_by::<Self, R>(det, divided)
     }
     /// A numerator over `det`, brought to `scale`.
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! The axis `reciprocal`: how a number is divided by.
 
-use super::{Facing, Policy};
+use super::{Facing, Policy, Tests};
 use crate::number::Real;
 
 /// How reciprocals are computed.
@@ -46,13 +46,14 @@ impl Reciprocal for Divide {
     fn quotient<P: Policy, R: Real>(numerator: R, x: R) -> R {
         numerator / x
     }
-    /// A quotient by 0 is infinite or no number, and a search for the nearest hit takes neither: packets need
-    /// not ask.
+    /// A quotient by 0 is infinite or NaN. A search for the nearest hit takes neither, so that its packets
+    /// need not ask. Nor need tests that refuse NaN at the end: where u or v is infinite, it or 1 - u - v
+    /// is negative or NaN, and an infinite t is in no range.
     #[inline(always)]
     fn divisible<P: Policy, R: Real>(x: R) -> R::Mask {
         if P::Facing::CULLS {
             x.gt(x.zero())
-        } else if R::LANES > 1 && P::LEAVES_BOUND {
+        } else if P::Tests::LEAVES_NAN || (R::LANES > 1 && P::LEAVES_BOUND) {
             R::mask(x.token(), true)
         } else {
             x.ne(x.zero())

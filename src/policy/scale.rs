@@ -28,6 +28,10 @@ pub trait Division: Copy + 'static {
     fn quotient<P: Policy, R: Real>(numerator: R, det: R) -> (R, Scale<R>);
     /// See [`Policy::scaled`].
     fn scaled<R: Real>(value: R, scale: Scale<R>) -> R;
+    /// See [`Policy::divided`].
+    fn divided<P: Policy, R: Real>(det: R) -> R;
+    /// See [`Policy::divided_by`].
+    fn divided_by<P: Policy, R: Real>(det: R, divided: R) -> (Scale<R>, R);
     /// What [`Division::resolve`] multiplies by.
     fn inverse<P: Policy, R: Real>(scale: Scale<R>) -> R;
     /// A numerator with its division done.
@@ -64,6 +68,14 @@ impl Division for First {
     #[inline(always)]
     fn scaled<R: Real>(value: R, _: Scale<R>) -> R {
         value
+    }
+    #[inline(always)]
+    fn divided<P: Policy, R: Real>(det: R) -> R {
+        Self::divide::<P, R>(det).factor
+    }
+    #[inline(always)]
+    fn divided_by<P: Policy, R: Real>(det: R, divided: R) -> (Scale<R>, R) {
+        (Scale { factor: divided, one: det.one() }, det.one())
     }
     #[inline(always)]
     fn inverse<P: Policy, R: Real>(scale: Scale<R>) -> R {
@@ -105,6 +117,14 @@ impl Division for Last {
     #[inline(always)]
     fn scaled<R: Real>(value: R, scale: Scale<R>) -> R {
         value * scale.one
+    }
+    #[inline(always)]
+    fn divided<P: Policy, R: Real>(det: R) -> R {
+        Self::inverse::<P, R>(Self::divide::<P, R>(det))
+    }
+    #[inline(always)]
+    fn divided_by<P: Policy, R: Real>(det: R, divided: R) -> (Scale<R>, R) {
+        (Self::divide::<P, R>(det), divided)
     }
     #[inline(always)]
     fn inverse<P: Policy, R: Real>(scale: Scale<R>) -> R {

@@ -22,12 +22,12 @@ pub trait Tests: Copy + 'static {
     fn ahead<R: Real>(mask: R::Mask, t: R) -> R::Mask {
         t.ge_where(t.zero(), mask)
     }
-    /// Where `u` is in `[0, one]`.
-    fn share<R: Real>(u: R, one: R) -> R::Mask;
-    /// Where `v` and one - u - v are not negative, `u` being known to be a share.
-    fn beside<R: Real>(u: R, v: R, one: R) -> R::Mask;
-    /// Where u, v and one - u - v are not negative.
-    fn inside<R: Real>(u: R, v: R, one: R) -> R::Mask;
+    /// `mask` where `u` is in `[0, one]`.
+    fn share<R: Real>(mask: R::Mask, u: R, one: R) -> R::Mask;
+    /// `mask` where `v` and one - u - v are not negative, `u` being known not to be.
+    fn beside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask;
+    /// `mask` where u, v and one - u - v are not negative.
+    fn inside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask;
 }
 
 /// Comparisons that ask for what must hold: NaN misses, boundaries hit.
@@ -65,16 +65,16 @@ impl Tests for Compare {
         t.le_where(upper, t.ge(lower))
     }
     #[inline(always)]
-    fn share<R: Real>(u: R, one: R) -> R::Mask {
-        u.le_where(one, u.ge(u.zero()))
+    fn share<R: Real>(mask: R::Mask, u: R, one: R) -> R::Mask {
+        u.le_where(one, u.ge_where(u.zero(), mask))
     }
     #[inline(always)]
-    fn beside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        (u + v).le_where(one, v.ge(v.zero()))
+    fn beside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask {
+        (u + v).le_where(one, v.ge_where(v.zero(), mask))
     }
     #[inline(always)]
-    fn inside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        (u + v).le_where(one, v.ge_where(v.zero(), u.ge(u.zero())))
+    fn inside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask {
+        (u + v).le_where(one, v.ge_where(v.zero(), u.ge_where(u.zero(), mask)))
     }
 }
 
@@ -88,16 +88,16 @@ impl Tests for SignBits {
         !above.signed_by(upper - t).sign_bit()
     }
     #[inline(always)]
-    fn share<R: Real>(u: R, one: R) -> R::Mask {
-        !u.signed_by(one - u).sign_bit()
+    fn share<R: Real>(mask: R::Mask, u: R, one: R) -> R::Mask {
+        mask & !u.signed_by(one - u).sign_bit()
     }
     #[inline(always)]
-    fn beside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        !v.signed_by(one - u - v).sign_bit()
+    fn beside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask {
+        mask & !v.signed_by(one - u - v).sign_bit()
     }
     #[inline(always)]
-    fn inside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        !(u.signed_by(v).sign_bit() | u.signed_by(one - u - v).sign_bit())
+    fn inside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask {
+        mask & !(u.signed_by(v).sign_bit() | u.signed_by(one - u - v).sign_bit())
     }
 }
 
@@ -120,17 +120,17 @@ impl Tests for SignBitsSafe {
         mask & !(t + t.zero()).sign_bit()
     }
     #[inline(always)]
-    fn share<R: Real>(u: R, one: R) -> R::Mask {
-        !(u + u.zero()).either_sign(one - u).sign_bit()
+    fn share<R: Real>(mask: R::Mask, u: R, one: R) -> R::Mask {
+        mask & !(u + u.zero()).either_sign(one - u).sign_bit()
     }
     #[inline(always)]
-    fn beside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        !(v + v.zero()).either_sign(one - (u + v)).sign_bit()
+    fn beside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask {
+        mask & !(v + v.zero()).either_sign(one - (u + v)).sign_bit()
     }
     #[inline(always)]
-    fn inside<R: Real>(u: R, v: R, one: R) -> R::Mask {
+    fn inside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask {
         let rest = one - (u + v);
-        !(u + u.zero()).either_sign(v + v.zero()).either_sign(rest).sign_bit()
+        mask & !(u + u.zero()).either_sign(v + v.zero()).either_sign(rest).sign_bit()
     }
 }
 
@@ -143,15 +143,15 @@ impl Tests for Products {
         Compare::range::<S, R>(t, lower, upper)
     }
     #[inline(always)]
-    fn share<R: Real>(u: R, one: R) -> R::Mask {
-        Compare::share(u, one)
+    fn share<R: Real>(mask: R::Mask, u: R, one: R) -> R::Mask {
+        Compare::share(mask, u, one)
     }
     #[inline(always)]
-    fn beside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        Compare::beside(u, v, one)
+    fn beside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask {
+        Compare::beside(mask, u, v, one)
     }
     #[inline(always)]
-    fn inside<R: Real>(u: R, v: R, one: R) -> R::Mask {
-        Compare::inside(u, v, one)
+    fn inside<R: Real>(mask: R::Mask, u: R, v: R, one: R) -> R::Mask {
+        Compare::inside(mask, u, v, one)
     }
 }

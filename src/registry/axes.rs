@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::kernels::{About, Edges, Fallback, OneIndex, Projection};
+use crate::kernels::{About, Edges, Fallback, OneIndex, Projection, Triple, WithDirection};
 use crate::policy::{Division, Exit, Facing, Leading, Output, Policy, Reciprocal, Rounding, Tests};
 
 use super::Offers;
@@ -52,6 +52,9 @@ pub struct Axes {
     /// How the axis of the projection is known: `one-index`, `three-indices`, `fixed` or `batches`; empty
     /// for kernels that have no such choice.
     pub projection: &'static str,
+    /// Which cross product a weight's triple product is computed by: that of the `direction` or those of
+    /// the `edges`; empty for kernels that have no such choice.
+    pub cross: &'static str,
     /// Single rays with a vector in a register: `horizontal` sums or an `instruction` for dot products;
     /// empty where a vector is three numbers.
     pub dot: &'static str,
@@ -62,7 +65,7 @@ pub struct Axes {
 }
 
 /// The columns of `list variants` behind `id` and `available`.
-pub const COLUMNS: [&str; 20] = [
+pub const COLUMNS: [&str; 21] = [
     "kernel",
     "precision",
     "drive",
@@ -83,6 +86,7 @@ pub const COLUMNS: [&str; 20] = [
     "projection",
     "subnormals",
     "dot",
+    "cross",
 ];
 
 /// What the form `P` of a kernel is called: a constant, so that thousands of forms need no code for it.
@@ -101,6 +105,7 @@ struct Words {
     reciprocal: &'static str,
     edges: &'static str,
     projection: &'static str,
+    cross: &'static str,
 }
 
 impl Words {
@@ -119,6 +124,7 @@ impl Words {
             reciprocal: P::Reciprocal::NAME,
             edges: K::EDGES,
             projection: K::PROJECTION,
+            cross: K::CROSS,
         }
     }
 }
@@ -147,6 +153,7 @@ impl Axes {
             reciprocal: "divide",
             edges: "",
             projection: "",
+            cross: "",
             dot: "",
             subnormals: "kept",
             copy: 0,
@@ -175,12 +182,13 @@ impl Axes {
             reciprocal: words.reciprocal,
             edges: words.edges,
             projection: words.projection,
+            cross: words.cross,
             ..Axes::usual(words.about.id, precision, level)
         }
     }
 
     /// The values of [`COLUMNS`].
-    pub fn values(&self) -> [&str; 20] {
+    pub fn values(&self) -> [&str; 21] {
         [
             self.kernel,
             self.precision,
@@ -202,6 +210,7 @@ impl Axes {
             self.projection,
             self.subnormals,
             self.dot,
+            self.cross,
         ]
     }
 
@@ -211,6 +220,7 @@ impl Axes {
         let mut id = self.values()[..8].join("/");
         let others = [
             ("copy", self.copy.to_string(), self.copy == 0),
+            ("cross", self.cross.into(), ["", WithDirection::NAME].contains(&self.cross)),
             ("cull", self.cull.into(), self.cull == "off"),
             ("dot", self.dot.into(), ["", "horizontal"].contains(&self.dot)),
             ("edges", self.edges.into(), ["", Fallback::NAME].contains(&self.edges)),

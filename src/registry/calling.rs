@@ -118,7 +118,6 @@ fn form(axes: &Axes) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::registry::{REFERENCE, find, variants};
 
     #[test]
@@ -133,23 +132,6 @@ mod tests {
             assert!(documentation.contains(line.trim_end_matches(';')), "{line}");
         }
         assert_eq!(call.lines().count(), 5);
-    }
-
-    #[test]
-    fn stored_forms_and_levels_are_named() {
-        let call = |id: &str| find(id).map(Variant::call).unwrap_or_default();
-        let stored =
-            call("kensler-shirley/f32/single/sse2/full/first/plain/tuv/stored=precomputed");
-        assert!(stored.contains("type Usual = Form<Full, First, Plain, Tuv>;"), "{stored}");
-        assert!(stored.contains("type Test = KenslerShirley<Precomputed>;"), "{stored}");
-        let wald = call("wald/f32/single/avx2/early/last/fused/tuv");
-        assert!(wald.starts_with("// Timed as code for avx2"), "{wald}");
-        assert!(wald.contains("type Test = Wald;"), "{wald}");
-        let packet = call("wald/f32/packet4/sse2/early/last/plain/tuv");
-        assert!(
-            packet.contains("find(\"wald/f32/packet4/sse2/early/last/plain/tuv\")"),
-            "{packet}"
-        );
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use crate::kernels::{
     AngleSum, BadouelCramer, BaldwinWeber, Chirkov, Column, Edges, EmbreePlucker, HalfSpaces,
     Keidy, KenslerShirley, Kernel, MollerTrumbore, MollerTrumboreInF64, PerpendicularPlanes,
-    Plucker, Precomputed, Projection, Shevtsov, SignedAreas, Stored, Vertices, Wald, WithNormal,
-    WoopAffine, WoopWatertight,
+    Plucker, Precomputed, Projection, Shevtsov, SignedAreas, Stored, Triple, Vertices, Wald,
+    WithNormal, WoopAffine, WoopWatertight,
 };
 use crate::policy::{Distance, Inside, Leading};
 
@@ -32,6 +32,8 @@ pub trait Offers: Kernel {
     const EDGES: &'static str = "";
     /// How it knows the axis of its projection; empty where it has no such choice.
     const PROJECTION: &'static str = "";
+    /// Which cross product its triple products are computed by; empty where it has no such choice.
+    const CROSS: &'static str = "";
     /// It stands for the others where triangles come in groups.
     const GROUPS: bool = false;
     /// It stands for the others in bundles: something is computed of a triangle alone, or, as with
@@ -63,7 +65,8 @@ impl Offers for MollerTrumbore {
     const SIGN_BITS: bool = true;
     const CULLS: bool = true;
 }
-impl<S: Stored + IsVertices> Offers for KenslerShirley<S> {
+impl<S: Stored + IsVertices, O: Triple> Offers for KenslerShirley<S, O> {
+    const CROSS: &'static str = O::NAME;
     type Native = Distance;
     const VECTORS: bool = true;
     const GROUPS: bool = S::IS_PRECOMPUTED;

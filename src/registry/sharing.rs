@@ -5,13 +5,16 @@ use crate::bound::{Work, shared_work};
 use crate::kernels::Fallback;
 use crate::kernels::{
     Common, CommonOrigin, EmbreePlucker, HalfSpaces, KenslerShirley, MollerTrumbore, Parallel,
-    PerpendicularPlanes, Precomputed, Shares, Vertices, WoopAffine, WoopWatertight,
+    PerpendicularPlanes, Precomputed, Shares, Vertices, WithEdges, WoopAffine, WoopWatertight,
 };
 use crate::level::{Level, On};
 use crate::number::{Real, Twice};
-use crate::policy::{Early, Exit, First, Full, Fused, Last, Policy};
+use crate::policy::{
+    Compare, Distance, Early, Exit, First, Full, Fused, Last, Policy, Tuv, TwoSided,
+};
 
 use super::drives::{Of, driven};
+use super::forms::divisions_with;
 use super::{EVERY_FORM, Offers, Variant, registers};
 
 /// Every kernel that shares something.
@@ -19,6 +22,10 @@ pub fn all(v: &mut Vec<Variant>) {
     lengths::<MollerTrumbore, CommonOrigin>(v);
     lengths::<KenslerShirley<Vertices>, CommonOrigin>(v);
     lengths::<KenslerShirley<Precomputed>, CommonOrigin>(v);
+    lengths::<ByEdges, CommonOrigin>(v);
+    if EVERY_FORM {
+        by_edges(v);
+    }
     lengths::<PerpendicularPlanes, CommonOrigin>(v);
     lengths::<HalfSpaces, CommonOrigin>(v);
     lengths::<EmbreePlucker, CommonOrigin>(v);
@@ -29,6 +36,41 @@ pub fn all(v: &mut Vec<Variant>) {
     lengths::<KenslerShirley<Precomputed>, Parallel>(v);
     lengths::<PerpendicularPlanes, Parallel>(v);
     lengths::<WoopAffine, Parallel>(v);
+}
+
+/// Kensler-Shirley, whose weights are made of cross products that rays with one origin share.
+type ByEdges = KenslerShirley<Vertices, WithEdges>;
+
+/// Single rays of it, and packets with nothing in common, which lose by it what others gain.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+fn by_edges(v: &mut Vec<Variant>) {
+    use crate::level::{Avx2, Avx512};
+    use registers::{Eight, Sixteen};
+
+    general::<f32, Avx2, Early>(v);
+    general::<f32, Avx2, Full>(v);
+    general::<Eight, Avx2, Full>(v);
+    general::<Twice<Eight>, Avx2, Full>(v);
+    general::<Sixteen, Avx512, Full>(v);
+    general::<Twice<Sixteen>, Avx512, Full>(v);
+}
+
+/// Single rays of it, and packets with nothing in common, which lose by it what others gain.
+#[cfg(target_arch = "aarch64")]
+fn by_edges(v: &mut Vec<Variant>) {
+    use crate::level::Neon;
+
+    general::<f32, Neon, Early>(v);
+    general::<f32, Neon, Full>(v);
+    general::<registers::Four, Neon, Full>(v);
+    general::<Twice<registers::Four>, Neon, Full>(v);
+}
+
+fn general<R: On<L>, L: Level, E: Exit>(v: &mut Vec<Variant>)
+where
+    R::Element: On<L>,
+{
+    divisions_with::<ByEdges, R, L, E, Fused, Tuv, TwoSided, Compare, Distance>(v);
 }
 
 /// Packets of one register and of two; early packets of one.
@@ -58,8 +100,9 @@ fn lengths<K: Offers + Shares<C>, C: Common>(v: &mut Vec<Variant>) {
     form::<K, C, Early, Four, Four, Neon, 4>(v);
 }
 
-/// One variant: packets `R`, triangles prepared `WIDTH` at a time, the number of lanes of `G`. Divided
-/// last where the kernel can be: then a division can be shared.
+/// Packets `R`, triangles prepared `WIDTH` at a time, the number of lanes of `G`: divided last, so that
+/// parallel rays share a division. Where everything is computed, which is done sooner divided first, that
+/// as well.
 fn form<K, C, E, R, G, L, const WIDTH: usize>(v: &mut Vec<Variant>)
 where
     K: Offers + Shares<C>,
@@ -71,11 +114,13 @@ where
 {
     if K::LAST {
         one::<K, Of<K, E, Last, Fused>, C, R, G, L, WIDTH>(v);
-    } else {
+    }
+    if K::FIRST && (E::DEFERS_RANGE || !K::LAST) {
         one::<K, Of<K, E, First, Fused>, C, R, G, L, WIDTH>(v);
     }
 }
 
+/// One variant.
 fn one<K, P, C, R, G, L, const WIDTH: usize>(v: &mut Vec<Variant>)
 where
     K: Offers + Shares<C>,

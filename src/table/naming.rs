@@ -3,7 +3,7 @@
 use super::Row;
 
 /// Columns that say what was measured, besides the id.
-pub const SUBJECT_COLUMNS: [&str; 25] = [
+pub const SUBJECT_COLUMNS: [&str; 26] = [
     "experiment",
     "kernel",
     "precision",
@@ -20,6 +20,7 @@ pub const SUBJECT_COLUMNS: [&str; 25] = [
     "edges",
     "projection",
     "dot",
+    "cross",
     "leading",
     "code",
     "priced",

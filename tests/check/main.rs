@@ -2,5 +2,6 @@
 
 mod answers;
 mod classes;
+mod kernels;
 mod refusals;
 mod support;

@@ -68,6 +68,9 @@ macro_rules! sweeps_columns {
             /// Single rays with a vector in a register: `horizontal` sums across its lanes, or an
             /// `instruction` for dot products.
             dot: String,
+            /// Kensler-Shirley: which cross product its triple products are computed by, that of the
+            /// `direction` or those of the `edges`.
+            cross: String,
             /// Bunches of rays: how far they lie apart, in radii of the scene.
             spread: Option<f64>,
             /// Packets that leave early: operations that their rays' own tests would do, over those
