@@ -26,6 +26,8 @@ pub struct Counter {
     pub stored: &'static str,
     /// How edge functions keep their signs; empty where there is no such choice.
     pub edges: &'static str,
+    /// Which cross product triple products are computed by; empty for the kernel's own.
+    pub cross: &'static str,
     /// `first` or `last`.
     pub division: &'static str,
     /// `t` or `tuv`.
@@ -43,6 +45,8 @@ pub struct ExitPath {
     pub stored: &'static str,
     /// How edge functions keep their signs; empty where there is no such choice.
     pub edges: &'static str,
+    /// Which cross product triple products are computed by; empty for the kernel's own.
+    pub cross: &'static str,
     /// `first` or `last`.
     pub division: &'static str,
     /// `t` or `tuv`.
@@ -88,6 +92,7 @@ fn listing<K: Listing>(counters: &mut Vec<Counter>, division: &'static str) {
         kernel: K::ABOUT.id,
         stored: K::ABOUT.stored,
         edges: "",
+        cross: "",
         division,
         output,
         run,
@@ -117,6 +122,7 @@ fn form<K: Offers, D: Division>() -> Counter {
         kernel: K::ABOUT.id,
         stored: K::ABOUT.stored,
         edges: K::EDGES,
+        cross: K::CROSS,
         division: D::NAME,
         output: if K::UV { "tuv" } else { "t" },
         run: tested::<K, Of<K, D>>,
@@ -161,12 +167,13 @@ pub fn paths(counter: &Counter, rays: &[Ray], triangles: &[Triangle]) -> Vec<Exi
             path.shortest = path.shortest.min_by_length(operations);
             path.longest = path.longest.max_by_length(operations);
         } else {
-            let Counter { kernel, stored, edges, division, output, .. } = *counter;
+            let Counter { kernel, stored, edges, cross, division, output, .. } = *counter;
             let (calls, shortest, longest) = (1, operations, operations);
             paths.push(ExitPath {
                 kernel,
                 stored,
                 edges,
+                cross,
                 division,
                 output,
                 code,

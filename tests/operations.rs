@@ -121,6 +121,8 @@ const HEADERS: &[(&str, &str, &str, &str, [u64; 5])] = &[
     ("kensler-shirley", "normal", "last", "tuv", [9, 12, 0, 22, 1]),
     ("kensler-shirley", "precomputed", "first", "tuv", [9, 6, 0, 21, 1]),
     ("kensler-shirley", "precomputed", "last", "tuv", [9, 6, 0, 22, 1]),
+    ("kensler-shirley", "edges", "first", "tuv", [9, 18, 0, 33, 1]),
+    ("kensler-shirley", "edges", "last", "tuv", [9, 18, 0, 34, 1]),
     ("shevtsov", "precomputed", "first", "tuv", [7, 5, 1, 10, 1]),
     ("shevtsov", "precomputed", "last", "tuv", [7, 5, 1, 16, 1]),
     ("badouel-cramer", "precomputed", "first", "tuv", [7, 10, 0, 16, 2]),
@@ -161,7 +163,8 @@ fn headers_state_what_a_hit_executes() {
     let mut wrong = Vec::new();
     for (c, paths) in &found {
         let Operations { add, sub, neg, mul, div, .. } = paths[0].longest;
-        let form = if c.edges.is_empty() { c.stored } else { c.edges };
+        let form = [c.cross, c.edges, c.stored].into_iter().find(|word| !word.is_empty());
+        let form = form.expect("something is stored");
         let row = (c.kernel, form, c.division, c.output, [add, sub, neg, mul, div]);
         if !HEADERS.contains(&row) {
             wrong.push(format!("    {row:?},"));

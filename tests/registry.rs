@@ -126,9 +126,19 @@ fn stored_forms_and_levels_are_named() {
     let stored = call("kensler-shirley/f32/single/sse2/full/first/plain/tuv/stored=precomputed");
     assert!(stored.contains("type Usual = Form<Full, First, Plain, Tuv>;"), "{stored}");
     assert!(stored.contains("type Test = KenslerShirley<Precomputed>;"), "{stored}");
+    let crossed = call("kensler-shirley/f32/single/sse2/early/last/plain/tuv/cross=edges");
+    assert!(crossed.contains("type Test = KenslerShirley<Vertices, WithEdges>;"), "{crossed}");
     let wald = call("wald/f32/single/avx2/early/last/fused/tuv");
     assert!(wald.starts_with("// Timed as code for avx2"), "{wald}");
     assert!(wald.contains("type Test = Wald;"), "{wald}");
     let packet = call("wald/f32/packet4/sse2/early/last/plain/tuv");
     assert!(packet.contains("find(\"wald/f32/packet4/sse2/early/last/plain/tuv\")"), "{packet}");
+}
+
+#[test]
+fn every_variant_has_lines_and_no_path_is_left_in_a_name() {
+    for variant in variants() {
+        let call = variant.call();
+        assert!(!call.is_empty() && !call.contains("ray_test::kernels"), "{call}");
+    }
 }

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use glam::Vec3;
-use ray_test::job::Answer;
+use ray_test::job::{Answer, Block};
 use ray_test::policy::{Between, Compare, FromZero, SignBitsSafe, Tests};
 use ray_test::registry::{Axes, Variant, find, variants};
 use ray_test::workload::{Kind, NearestSet, NearestSpec, Pcg, Ray, Triangle};
@@ -131,6 +131,41 @@ fn safe_sign_bits_find_what_comparisons_find_bit_for_bit() {
         }
     }
     assert!(hits > forms, "{hits} hits in {forms} runs");
+}
+
+/// Rays in and beside the plane of a triangle, along it: every determinant is 0, numerators are 0 or have
+/// either sign.
+fn parallel_to_a_triangle() -> (Vec<Ray>, Triangle) {
+    let triangle = Triangle { a: Vec3::ZERO, b: Vec3::X, c: Vec3::Y };
+    let (places, mut rays) = ([-1.0, -0.0, 0.0, 0.25, 0.5, 1.0], Vec::new());
+    for (x, y) in places.iter().flat_map(|x| places.iter().map(move |y| (*x, *y))) {
+        for z in [-1.0, 0.0, 1.0] {
+            let origin = Vec3::new(x, y, z);
+            for direction in [Vec3::X, -Vec3::X, Vec3::Y, Vec3::new(1.0, -1.0, 0.0)] {
+                let end = origin + direction;
+                rays.push(Ray { origin, direction, end, t_min: 0.0, t_max: f32::MAX });
+            }
+        }
+    }
+    (rays, triangle)
+}
+
+#[test]
+fn a_determinant_of_zero_is_refused_by_tests_that_do_not_ask_for_it() {
+    let (rays, triangle) = parallel_to_a_triangle();
+    let triangles = vec![triangle; rays.len()];
+    let mut forms = 0;
+    for [variant, _] in tested().filter(|[variant, _]| variant.axes.tests == "sign-bits-safe") {
+        let found = answers(variant, &rays, &[triangle]);
+        let hit = found.iter().position(|answer| answer.triangle.is_some());
+        assert_eq!(hit.map(|place| rays[place]), None, "{}", variant.id());
+        if let Some(bind) = &variant.pairs {
+            let mut job = bind(&rays, &triangles);
+            assert_eq!(job.run(Block::whole(job.as_ref())).hits, 0, "{}", variant.id());
+        }
+        forms += 1;
+    }
+    assert!(forms > 0);
 }
 
 /// The triangle of a hit, and the bits of t, u and v.

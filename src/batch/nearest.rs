@@ -161,7 +161,7 @@ pub fn step<K: Kernel, P: Policy, R: Real>(
 }
 
 /// What [`Kernel::begin`] gives.
-pub type Beginning<K, R> = Result<<K as Kernel>::Begun<R>, Miss>;
+type Beginning<K, R> = Result<<K as Kernel>::Begun<R>, Miss>;
 
 /// The second part of [`step`].
 #[inline(always)]

@@ -42,6 +42,7 @@ fn of_counter(counter: &Counter, (rays, triangles): (&[Ray], &[Triangle])) -> Ve
         output: path.output.into(),
         stored: path.stored.into(),
         edges: path.edges.into(),
+        cross: path.cross.into(),
         workload: "pairs-operations".into(),
         query: "line".into(),
         winding: "natural".into(),

@@ -42,6 +42,7 @@ fn counts(counter: &Counter, row: &Row) -> bool {
     counter.kernel == row.kernel
         && counter.stored == row.stored
         && counter.edges == row.edges
+        && counter.cross == row.cross
         && counter.division == row.division
         && counter.output == "tuv"
 }

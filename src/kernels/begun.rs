@@ -46,6 +46,14 @@ impl<R: Real> Begun<R> {
             None => Begun::new::<P>(hit, det, P::divide(det)),
         }
     }
+    /// [`Policy::keep`], the division being begun.
+    ///
+    /// # Errors
+    /// As that.
+    #[inline(always)]
+    pub fn keep<P: Policy>(self, code: u8) -> Result<Self, Miss> {
+        Ok(Begun { hit: P::keep(self.hit, code)?, ..self })
+    }
     /// [`Policy::finish`], by the division that was begun, if it was.
     #[inline(always)]
     pub fn finish<P: Policy>(

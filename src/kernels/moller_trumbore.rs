@@ -101,7 +101,7 @@ struct FromDirection<R> {
 
 /// What the first part of a test leaves to the second: the determinant's division, and p.
 #[derive(Clone, Copy)]
-pub struct Divided<R: Real> {
+pub struct Halfway<R: Real> {
     begun: Begun<R>,
     p: Vec3<R>,
 }
@@ -135,11 +135,11 @@ fn begin_knowing<P: Policy, R: Real>(
     ray: &Ray<R>,
     tri: &Met<R>,
     direction: Option<FromDirection<R>>,
-) -> Result<Divided<R>, Miss> {
+) -> Result<Halfway<R>, Miss> {
     let p = known!(direction.p, tri.p::<P>(ray));
     let det = known!(direction.det, tri.det::<P>(p));
-    let hit = P::keep(P::divisible(det), 1)?;
-    Ok(Divided { begun: Begun::dividing::<P>(hit, det, known!(direction.divided)), p })
+    let begun = Begun::dividing::<P>(P::divisible(det), det, known!(direction.divided));
+    Ok(Halfway { begun: begun.keep::<P>(1)?, p })
 }
 
 /// The rest of it.
@@ -147,10 +147,10 @@ fn begin_knowing<P: Policy, R: Real>(
 fn end_knowing<P: Policy, R: Real>(
     ray: &Ray<R>,
     tri: &Met<R>,
-    divided: &Divided<R>,
+    halfway: &Halfway<R>,
     origin: Option<FromOrigin<R>>,
 ) -> Result<Found<R>, Miss> {
-    let Divided { begun, p } = *divided;
+    let Halfway { begun, p } = *halfway;
     let Begun { hit, scale, .. } = begun;
     let s = known!(origin.s, tri.s(ray));
     let (hit, [t, u, v]) = if P::Leading::DISTANCE {
@@ -173,7 +173,7 @@ fn end_knowing<P: Policy, R: Real>(
 impl Shares<CommonOrigin> for MollerTrumbore {
     /// s, q, the edges, e2 . q.
     type Shared<R: Real> = [R; 13];
-    type Begun<R: Real> = Divided<R>;
+    type Begun<R: Real> = Halfway<R>;
 
     #[inline(always)]
     fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> [R; 13] {
@@ -189,7 +189,7 @@ impl Shares<CommonOrigin> for MollerTrumbore {
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-    ) -> Result<Divided<R>, Miss> {
+    ) -> Result<Halfway<R>, Miss> {
         begin_knowing::<P, R>(ray, &from_one_point(shared), None)
     }
 
@@ -198,7 +198,7 @@ impl Shares<CommonOrigin> for MollerTrumbore {
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-        begun: &Divided<R>,
+        begun: &Halfway<R>,
     ) -> Result<Found<R>, Miss> {
         let tri = from_one_point(shared);
         let origin = FromOrigin { s: tri.a, q: shared.vector(3), depth: shared.number(12) };
@@ -215,7 +215,7 @@ fn from_one_point<R: Real, S: Source<R>>(shared: &S) -> Met<R> {
 impl Shares<Parallel> for MollerTrumbore {
     /// The corner, the edges, p, det and the division by it.
     type Shared<R: Real> = [R; 14];
-    type Begun<R: Real> = Divided<R>;
+    type Begun<R: Real> = Halfway<R>;
 
     #[inline(always)]
     fn share<P: Policy, R: Real>(ray: &Ray<R>, tri: &Met<R>) -> [R; 14] {
@@ -232,7 +232,7 @@ impl Shares<Parallel> for MollerTrumbore {
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-    ) -> Result<Divided<R>, Miss> {
+    ) -> Result<Halfway<R>, Miss> {
         let (p, det, divided) = (shared.vector(9), shared.number(12), shared.number(13));
         let direction = FromDirection { p, det, divided };
         begin_knowing::<P, R>(ray, &in_one_direction(shared), Some(direction))
@@ -243,7 +243,7 @@ impl Shares<Parallel> for MollerTrumbore {
         ray: &Ray<R>,
         (): &(),
         shared: &S,
-        begun: &Divided<R>,
+        begun: &Halfway<R>,
     ) -> Result<Found<R>, Miss> {
         end_knowing::<P, R>(ray, &in_one_direction(shared), begun, None)
     }

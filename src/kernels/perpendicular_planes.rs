@@ -100,7 +100,7 @@ struct FromOrigin<R> {
     height: R,
 }
 
-/// What follows from the direction: det and the inverse of its scale.
+/// What follows from the direction: det and, divided last, its inverse.
 #[derive(Clone, Copy)]
 struct FromDirection<R> {
     det: R,
@@ -146,7 +146,8 @@ fn begin_knowing<P: Policy, R: Real>(
     let hit = P::keep(P::divisible(det), 1)?;
     let (t, scale) = P::quotient(known!(known.origin.height, tri.height::<P>(ray)), det);
     let hit = P::keep_range(hit, ray, t, scale, 2)?;
-    Ok(Begun::knowing::<P>(hit, t, scale, known.direction.map(|direction| direction.inverse)))
+    let direction = known.direction;
+    Ok(Begun::knowing::<P>(hit, t, scale, known!(direction.inverse)))
 }
 
 impl Shares<CommonOrigin> for PerpendicularPlanes {
@@ -182,7 +183,7 @@ impl Shares<CommonOrigin> for PerpendicularPlanes {
 }
 
 impl Shares<Parallel> for PerpendicularPlanes {
-    /// The planes, det and its inverse.
+    /// The planes, det and, divided last, its inverse.
     type Shared<R: Real> = [R; 14];
     type Begun<R: Real> = Begun<R>;
 

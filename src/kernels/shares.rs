@@ -58,9 +58,9 @@ pub trait Shares<C: Common>: Kernel {
 }
 
 /// `known!(part.value, other)`, or `known!(known.part.value, other)` of a [`Known`]: the value of that
-/// name, if that part of a test is known, else the other.
-/// Which one is decided when a form is compiled. No closures: one that is not inlined is compiled without
-/// the instructions of its level.
+/// name, if that part of a test is known, else the other; `known!(part.value)`: that value or `None`. Which
+/// one is decided when a form is compiled. No closures: one that is not inlined is compiled without the
+/// instructions of its level.
 macro_rules! known {
     ($known:ident.$part:ident.$value:ident, $otherwise:expr) => {
         match $known.$part {

@@ -11,7 +11,7 @@ use crate::policy::Policy;
 
 /// An order of the triple products.
 pub trait Triple: 'static {
-    /// The column `cross`.
+    /// The column `cross`: empty for the kernel's own order.
     const NAME: &'static str;
     /// What the weights need of a ray's origin and a triangle.
     type Seen<R: Real>: Copy;
@@ -33,37 +33,37 @@ pub struct WithDirection;
 /// CA x OA and AB x OA, which rays with a common origin share: two dot products are left of both weights.
 pub struct WithEdges;
 
-/// OA, AB and CA.
+/// OA, and the edges AB and CA.
 #[derive(Clone, Copy)]
-pub struct Corner<R> {
+pub struct OriginAndEdges<R> {
     oa: Vec3<R>,
     ab: Vec3<R>,
     ca: Vec3<R>,
 }
 
 impl Triple for WithDirection {
-    const NAME: &'static str = "direction";
-    type Seen<R: Real> = Corner<R>;
+    const NAME: &'static str = "";
+    type Seen<R: Real> = OriginAndEdges<R>;
     type Numbers<R: Real> = [R; 13];
 
     #[inline(always)]
-    fn seen<P: Policy, R: Real>(oa: Vec3<R>, tri: &Frame<R>) -> Corner<R> {
-        Corner { oa, ab: tri.ab, ca: tri.ca }
+    fn seen<P: Policy, R: Real>(oa: Vec3<R>, tri: &Frame<R>) -> OriginAndEdges<R> {
+        OriginAndEdges { oa, ab: tri.ab, ca: tri.ca }
     }
     #[inline(always)]
-    fn weights<P: Policy, R: Real>(seen: &Corner<R>, direction: Vec3<R>) -> [R; 2] {
+    fn weights<P: Policy, R: Real>(seen: &OriginAndEdges<R>, direction: Vec3<R>) -> [R; 2] {
         let i = P::cross(seen.oa, direction);
         [P::dot(i, seen.ca), P::dot(i, seen.ab)]
     }
     #[inline(always)]
-    fn numbers<R: Real>(n: Vec3<R>, depth: R, seen: &Corner<R>) -> [R; 13] {
+    fn numbers<R: Real>(n: Vec3<R>, depth: R, seen: &OriginAndEdges<R>) -> [R; 13] {
         let ([nx, ny, nz], [ox, oy, oz]) = (n.0, seen.oa.0);
         let ([bx, by, bz], [cx, cy, cz]) = (seen.ab.0, seen.ca.0);
         [nx, ny, nz, depth, ox, oy, oz, bx, by, bz, cx, cy, cz]
     }
     #[inline(always)]
-    fn read<R: Real, S: Source<R>>(numbers: &S) -> Corner<R> {
-        Corner { oa: numbers.vector(4), ab: numbers.vector(7), ca: numbers.vector(10) }
+    fn read<R: Real, S: Source<R>>(numbers: &S) -> OriginAndEdges<R> {
+        OriginAndEdges { oa: numbers.vector(4), ab: numbers.vector(7), ca: numbers.vector(10) }
     }
 }
 

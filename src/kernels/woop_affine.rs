@@ -126,7 +126,7 @@ struct FromOrigin<R> {
     z: R,
 }
 
-/// What follows from the direction: its components there, and the inverse of the scale of z.
+/// What follows from the direction: its components there and, divided last, the inverse of that of z.
 #[derive(Clone, Copy)]
 struct FromDirection<R> {
     x: R,
@@ -160,7 +160,8 @@ fn begin_knowing<P: Policy, R: Real>(
     let hit = P::keep(P::divisible(det), 1)?;
     let (t, scale) = P::quotient(-known!(known.origin.z, tri.z.of_origin::<P>(ray)), det);
     let hit = P::keep_range(hit, ray, t, scale, 2)?;
-    Ok(Begun::knowing::<P>(hit, t, scale, known.direction.map(|direction| direction.inverse)))
+    let direction = known.direction;
+    Ok(Begun::knowing::<P>(hit, t, scale, known!(direction.inverse)))
 }
 
 /// The rest of it.
@@ -232,7 +233,7 @@ impl Shares<CommonOrigin> for WoopAffine {
 }
 
 impl Shares<Parallel> for WoopAffine {
-    /// The rows, the direction's components, the inverse of that of z.
+    /// The rows, the direction's components and, divided last, the inverse of that of z.
     type Shared<R: Real> = [R; 16];
     type Begun<R: Real> = Begun<R>;
 

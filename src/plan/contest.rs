@@ -32,6 +32,7 @@ fn is_plain(axes: &Axes) -> bool {
         && axes.tests == "compare"
         && axes.reciprocal == "divide"
         && axes.leading_is_native
+        && axes.cross.is_empty()
         && axes.priced.is_empty()
         && axes.query == "ray"
         && axes.copy == 0

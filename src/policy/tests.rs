@@ -17,7 +17,8 @@ pub trait Tests: Copy + 'static {
     const LEAVES_NAN: bool = false;
     /// Where `t` is in `[lower, upper]`.
     fn range<S: Span, R: Real>(t: R, lower: R, upper: R) -> R::Mask;
-    /// `mask` where `t` is not negative. Not asked of sign bits as printed, which flip nothing.
+    /// `mask` where a number, t or a weight, is not negative. Not asked of sign bits as printed, which
+    /// flip nothing.
     #[inline(always)]
     fn ahead<R: Real>(mask: R::Mask, t: R) -> R::Mask {
         t.ge_where(t.zero(), mask)

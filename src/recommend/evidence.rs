@@ -8,8 +8,8 @@ pub(super) fn error<'a>(rows: &[&'a Row], form: &Row) -> Option<(f64, &'a Row)> 
     let tells = |row: &&&Row| row.workload == "errors-random" && row.err_against == "exact";
     let alike = |row: &&&Row| {
         let of = |row: &Row| {
-            [&row.kernel, &row.precision, &row.division, &row.stored, &row.reciprocal, &row.edges]
-                .map(String::clone)
+            let Row { kernel, precision, division, stored, reciprocal, edges, cross, .. } = row;
+            [kernel, precision, division, stored, reciprocal, edges, cross].map(String::clone)
         };
         of(row) == of(form)
     };
@@ -42,8 +42,9 @@ pub(super) fn leaks<'a>(rows: &[&'a Row], form: &Row) -> Leaks<'a> {
         return Leaks::NobodyLooked;
     }
     let alike = |row: &&&'a Row| {
-        let of =
-            |row: &Row| [&row.kernel, &row.precision, &row.rounding, &row.edges].map(String::clone);
+        let of = |row: &Row| {
+            [&row.kernel, &row.precision, &row.rounding, &row.edges, &row.cross].map(String::clone)
+        };
         of(row) == of(form) && ["", "kept"].contains(&row.subnormals.as_str())
     };
     let alike: Vec<&'a Row> = all.iter().filter(alike).copied().collect();

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::kernels::{About, Edges, Fallback, OneIndex, Projection, Triple, WithDirection};
+use crate::kernels::{About, Edges, Fallback, OneIndex, Projection};
 use crate::policy::{Division, Exit, Facing, Leading, Output, Policy, Reciprocal, Rounding, Tests};
 
 use super::Offers;
@@ -52,8 +52,8 @@ pub struct Axes {
     /// How the axis of the projection is known: `one-index`, `three-indices`, `fixed` or `batches`; empty
     /// for kernels that have no such choice.
     pub projection: &'static str,
-    /// Which cross product a weight's triple product is computed by: that of the `direction` or those of
-    /// the `edges`; empty for kernels that have no such choice.
+    /// Which cross product a weight's triple product is computed by: `edges`, those of the edges and the
+    /// origin; empty for the kernel's own.
     pub cross: &'static str,
     /// Single rays with a vector in a register: `horizontal` sums or an `instruction` for dot products;
     /// empty where a vector is three numbers.
@@ -220,7 +220,7 @@ impl Axes {
         let mut id = self.values()[..8].join("/");
         let others = [
             ("copy", self.copy.to_string(), self.copy == 0),
-            ("cross", self.cross.into(), ["", WithDirection::NAME].contains(&self.cross)),
+            ("cross", self.cross.into(), self.cross.is_empty()),
             ("cull", self.cull.into(), self.cull == "off"),
             ("dot", self.dot.into(), ["", "horizontal"].contains(&self.dot)),
             ("edges", self.edges.into(), ["", Fallback::NAME].contains(&self.edges)),

@@ -34,7 +34,7 @@ impl KernelVisitor for Driven<'_> {
             layouts::<K>(self.0);
         }
     }
-    fn other_edges<K: Offers>(&mut self) {}
+    fn variation<K: Offers>(&mut self) {}
 }
 
 /// A form of `K` with t, u and v.

@@ -6,7 +6,7 @@ use crate::kernels::{
     AngleSum, BadouelCramer, BaldwinWeber, Chirkov, EmbreePlucker, ExactSign, Fallback,
     FromPositions, FromRows, HalfSpaces, Keidy, KenslerShirley, MollerTrumbore,
     MollerTrumboreInF64, NoFallback, PerpendicularPlanes, Plucker, Precomputed, Shevtsov,
-    SignedAreas, Vertices, Wald, WithNormal, WoopAffine, WoopWatertight,
+    SignedAreas, Vertices, Wald, WithEdges, WithNormal, WoopAffine, WoopWatertight,
 };
 use crate::policy::{Division, First, Last};
 
@@ -16,11 +16,15 @@ use super::Offers;
 pub trait KernelVisitor {
     /// With a kernel, or one of its stored forms.
     fn kernel<K: Offers>(&mut self);
-    /// With a kernel that keeps the signs of its edge functions in another way than by default.
-    fn other_edges<K: Offers>(&mut self) {
+    /// With a kernel that keeps the signs of its edge functions, or multiplies triple products, in another
+    /// way than by default.
+    fn variation<K: Offers>(&mut self) {
         self.kernel::<K>();
     }
 }
+
+/// The library's own tests need a kernel of each kind; those in `tests` have every one.
+const EVERY_KERNEL: bool = cfg!(not(test));
 
 /// Visits every kernel.
 pub fn visit_kernels(visitor: &mut impl KernelVisitor) {
@@ -30,31 +34,36 @@ pub fn visit_kernels(visitor: &mut impl KernelVisitor) {
         return;
     }
     visitor.kernel::<KenslerShirley<Vertices>>();
+    if EVERY_KERNEL {
+        visitor.kernel::<KenslerShirley<WithNormal>>();
+        visitor.kernel::<KenslerShirley<Precomputed>>();
+        visitor.variation::<KenslerShirley<Vertices, WithEdges>>();
+        visitor.kernel::<Shevtsov>();
+        visitor.kernel::<BadouelCramer>();
+    }
     visitor.kernel::<Wald>();
+    if EVERY_KERNEL {
+        visitor.kernel::<Keidy<Vertices>>();
+        visitor.kernel::<Keidy<WithNormal>>();
+    }
     visitor.kernel::<PerpendicularPlanes>();
     visitor.kernel::<Chirkov>();
+    if EVERY_KERNEL {
+        visitor.kernel::<Plucker>();
+        visitor.kernel::<HalfSpaces>();
+        visitor.kernel::<SignedAreas>();
+    }
     visitor.kernel::<AngleSum>();
     visitor.kernel::<WoopWatertight<Fallback>>();
-    // The library's own tests need a kernel of each kind; those in `tests` have every one.
-    if cfg!(test) {
-        return;
+    if EVERY_KERNEL {
+        visitor.variation::<WoopWatertight<NoFallback>>();
+        visitor.variation::<WoopWatertight<ExactSign>>();
+        visitor.kernel::<EmbreePlucker>();
+        visitor.kernel::<BaldwinWeber<FromPositions>>();
+        visitor.kernel::<BaldwinWeber<FromRows>>();
+        visitor.kernel::<WoopAffine>();
+        visitor.kernel::<MollerTrumboreInF64>();
     }
-    visitor.kernel::<KenslerShirley<WithNormal>>();
-    visitor.kernel::<KenslerShirley<Precomputed>>();
-    visitor.kernel::<Shevtsov>();
-    visitor.kernel::<BadouelCramer>();
-    visitor.kernel::<Keidy<Vertices>>();
-    visitor.kernel::<Keidy<WithNormal>>();
-    visitor.kernel::<Plucker>();
-    visitor.kernel::<HalfSpaces>();
-    visitor.kernel::<SignedAreas>();
-    visitor.other_edges::<WoopWatertight<NoFallback>>();
-    visitor.other_edges::<WoopWatertight<ExactSign>>();
-    visitor.kernel::<EmbreePlucker>();
-    visitor.kernel::<BaldwinWeber<FromPositions>>();
-    visitor.kernel::<BaldwinWeber<FromRows>>();
-    visitor.kernel::<WoopAffine>();
-    visitor.kernel::<MollerTrumboreInF64>();
 }
 
 /// What is done with each published listing.

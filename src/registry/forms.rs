@@ -14,7 +14,7 @@ use crate::policy::{
 use super::exit_code::exit_code;
 use super::{
     Axes, EVERY_FORM, KernelVisitor, Offers, Other, Variant, bind_nearest, bind_pairs, bind_tiles,
-    edges, preparing, visit_kernels,
+    preparing, variations, visit_kernels,
 };
 
 /// Every kernel in every form.
@@ -28,8 +28,8 @@ impl KernelVisitor for Timed<'_> {
     fn kernel<K: Offers>(&mut self) {
         kernel::<K>(self.0);
     }
-    fn other_edges<K: Offers>(&mut self) {
-        edges::all::<K>(self.0);
+    fn variation<K: Offers>(&mut self) {
+        variations::all::<K>(self.0);
     }
 }
 

@@ -6,7 +6,6 @@ mod axes;
 mod busy;
 mod calling;
 mod drives;
-mod edges;
 mod every;
 mod exit_code;
 mod forms;
@@ -24,6 +23,7 @@ mod sharing;
 mod streams;
 mod techniques;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+mod variations;
 mod vectors;
 #[cfg(feature = "cli")]
 mod wide;

@@ -32,7 +32,7 @@ pub trait Offers: Kernel {
     const EDGES: &'static str = "";
     /// How it knows the axis of its projection; empty where it has no such choice.
     const PROJECTION: &'static str = "";
-    /// Which cross product its triple products are computed by; empty where it has no such choice.
+    /// Which cross product its triple products are computed by; empty for its own.
     const CROSS: &'static str = "";
     /// It stands for the others where triangles come in groups.
     const GROUPS: bool = false;
@@ -75,7 +75,7 @@ impl<S: Stored + IsVertices, O: Triple> Offers for KenslerShirley<S, O> {
     const TECHNIQUES: bool = S::IS_PRECOMPUTED;
     const INSIDE_FIRST: bool = S::IS_PRECOMPUTED;
     const BOTH_ORDERS: bool = S::IS_VERTICES;
-    const SIGN_BITS: bool = S::IS_VERTICES;
+    const SIGN_BITS: bool = S::IS_VERTICES && O::NAME.is_empty();
     const CULLS: bool = S::IS_VERTICES;
     const NATIVE_RECORD: bool = S::IS_VERTICES;
 }

@@ -21,7 +21,7 @@ impl KernelVisitor for Longer<'_> {
             kernel::<K>(self.0);
         }
     }
-    fn other_edges<K: Offers>(&mut self) {}
+    fn variation<K: Offers>(&mut self) {}
 }
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

@@ -41,36 +41,36 @@ pub fn all(v: &mut Vec<Variant>) {
 /// Kensler-Shirley, whose weights are made of cross products that rays with one origin share.
 type ByEdges = KenslerShirley<Vertices, WithEdges>;
 
-/// Single rays of it, and packets with nothing in common, which lose by it what others gain.
+/// Single rays of it that compute everything, and packets with nothing in common, which lose by it what
+/// others gain.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 fn by_edges(v: &mut Vec<Variant>) {
     use crate::level::{Avx2, Avx512};
     use registers::{Eight, Sixteen};
 
-    general::<f32, Avx2, Early>(v);
-    general::<f32, Avx2, Full>(v);
-    general::<Eight, Avx2, Full>(v);
-    general::<Twice<Eight>, Avx2, Full>(v);
-    general::<Sixteen, Avx512, Full>(v);
-    general::<Twice<Sixteen>, Avx512, Full>(v);
+    general::<f32, Avx2>(v);
+    general::<Eight, Avx2>(v);
+    general::<Twice<Eight>, Avx2>(v);
+    general::<Sixteen, Avx512>(v);
+    general::<Twice<Sixteen>, Avx512>(v);
 }
 
-/// Single rays of it, and packets with nothing in common, which lose by it what others gain.
+/// Single rays of it that compute everything, and packets with nothing in common, which lose by it what
+/// others gain.
 #[cfg(target_arch = "aarch64")]
 fn by_edges(v: &mut Vec<Variant>) {
     use crate::level::Neon;
 
-    general::<f32, Neon, Early>(v);
-    general::<f32, Neon, Full>(v);
-    general::<registers::Four, Neon, Full>(v);
-    general::<Twice<registers::Four>, Neon, Full>(v);
+    general::<f32, Neon>(v);
+    general::<registers::Four, Neon>(v);
+    general::<Twice<registers::Four>, Neon>(v);
 }
 
-fn general<R: On<L>, L: Level, E: Exit>(v: &mut Vec<Variant>)
+fn general<R: On<L>, L: Level>(v: &mut Vec<Variant>)
 where
     R::Element: On<L>,
 {
-    divisions_with::<ByEdges, R, L, E, Fused, Tuv, TwoSided, Compare, Distance>(v);
+    divisions_with::<ByEdges, R, L, Full, Fused, Tuv, TwoSided, Compare, Distance>(v);
 }
 
 /// Packets of one register and of two; early packets of one.
@@ -100,9 +100,8 @@ fn lengths<K: Offers + Shares<C>, C: Common>(v: &mut Vec<Variant>) {
     form::<K, C, Early, Four, Four, Neon, 4>(v);
 }
 
-/// Packets `R`, triangles prepared `WIDTH` at a time, the number of lanes of `G`: divided last, so that
-/// parallel rays share a division. Where everything is computed, which is done sooner divided first, that
-/// as well.
+/// Packets `R`, triangles prepared `WIDTH` at a time, the number of lanes of `G`: divided last and,
+/// where everything is computed, which is done sooner divided first, first as well.
 fn form<K, C, E, R, G, L, const WIDTH: usize>(v: &mut Vec<Variant>)
 where
     K: Offers + Shares<C>,
@@ -112,7 +111,7 @@ where
     G: Real<Element = R::Element, Token = R::Token>,
     L: Level,
 {
-    if K::LAST {
+    if K::LAST && (EVERY_FORM || !K::FIRST) {
         one::<K, Of<K, E, Last, Fused>, C, R, G, L, WIDTH>(v);
     }
     if K::FIRST && (E::DEFERS_RANGE || !K::LAST) {

@@ -44,7 +44,7 @@ impl KernelVisitor for InVectors<'_> {
             techniques::<K, Avx2, Horizontal>(self.0);
         }
     }
-    fn other_edges<K: Offers>(&mut self) {}
+    fn variation<K: Offers>(&mut self) {}
 }
 
 /// Of the kernels that stand for the others, what asks once: behind everything, or for the inside before

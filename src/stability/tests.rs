@@ -93,26 +93,6 @@ fn a_setting_that_was_begun_is_ended_within_it() {
 }
 
 #[test]
-fn forms_are_named_by_what_is_unusual_about_them() {
-    let forms = forms(&[], None).unwrap();
-    assert!(forms.iter().any(|form| form.name == "moller-trumbore"));
-    for (index, form) in forms.iter().enumerate() {
-        let same = |other: &Form| other.name == form.name && other.precision == form.precision;
-        assert!(!forms[..index].iter().any(same), "{}", form.name);
-    }
-    let wanted = ["moller-trumbore/f32/single/sse2/early/first/plain/tuv".to_owned()];
-    if cfg!(any(target_arch = "x86", target_arch = "x86_64")) {
-        let one = super::forms(&wanted, None).unwrap();
-        assert_eq!(
-            one.iter().map(|form| form.name.as_str()).collect::<Vec<_>>(),
-            ["moller-trumbore first"]
-        );
-    }
-    let unknown = super::forms(&["molar".to_owned()], None).map(|_| ()).unwrap_err();
-    assert_eq!(unknown.word, "molar");
-}
-
-#[test]
 fn plane_kernels_fail_far_away_before_those_that_translate_first() {
     let rows = rows(&sweep(&["far"], &["moller-trumbore", "perpendicular-planes"], 1), 2);
     let knee = |kernel: &str| {

@@ -68,8 +68,8 @@ macro_rules! sweeps_columns {
             /// Single rays with a vector in a register: `horizontal` sums across its lanes, or an
             /// `instruction` for dot products.
             dot: String,
-            /// Kensler-Shirley: which cross product its triple products are computed by, that of the
-            /// `direction` or those of the `edges`.
+            /// Which cross product Kensler-Shirley's triple products are computed by, if not the usual one:
+            /// `edges`, those of the edges and the origin.
             cross: String,
             /// Bunches of rays: how far they lie apart, in radii of the scene.
             spread: Option<f64>,

@@ -1,4 +1,5 @@
-//! The forms of a kernel that keeps the signs of its edge functions in another way than by default.
+//! The forms of a kernel that keeps the signs of its edge functions, or multiplies its triple products,
+//! in another way than by default.
 
 use crate::level::{Level, On};
 use crate::policy::{Compare, Early, Fused, Plain, Rounding, Tuv, TwoSided};
@@ -6,7 +7,7 @@ use crate::policy::{Compare, Early, Fused, Plain, Rounding, Tuv, TwoSided};
 use super::forms::divisions_with;
 use super::{Offers, Variant};
 
-/// Other edge functions: early only, at the baseline and where products can be fused.
+/// Early only, at the baseline and where products can be fused.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 pub fn all<K: Offers>(v: &mut Vec<Variant>) {
     use fearless_simd::{f32x8, f32x16};
@@ -26,7 +27,7 @@ pub fn all<K: Offers>(v: &mut Vec<Variant>) {
     early::<K, Lanes<A5, f32x16<A5>>, Avx512, Fused>(v);
 }
 
-/// Other edge functions: early only, at the baseline and where products can be fused.
+/// Early only, at the baseline and where products can be fused.
 #[cfg(target_arch = "aarch64")]
 pub fn all<K: Offers>(v: &mut Vec<Variant>) {
     use crate::level::Neon;
