@@ -5,9 +5,10 @@
 //! what is called is the walk of one ray, and the figures are those of a test of it.
 
 use super::bench::Bench;
+use super::cells::{Cell, Piece};
 use crate::measure::{
-    Contestant, Dependent, Figures, GroupReport, Invalid, Order, Pace, Protocol, ProtocolError,
-    Role, Status,
+    Contestant, Dependent, Figures, Group, GroupReport, Invalid, Order, Pace, Protocol,
+    ProtocolError, Role, Status,
 };
 use crate::table::Row;
 
@@ -24,20 +25,52 @@ pub fn call_rounds(rounds: usize) -> usize {
 /// Reference, empty loop and chain.
 pub const CALL_CONTROLS: usize = 3;
 
-/// Measures the single rays among `contestants`, whose rows stand at `places` (in their order,
-/// before the controls), and fills the columns of latency and cold calls.
+/// The single rays of a group, with a reference and the empty loop and the chain.
+struct Calls {
+    /// Which cell they are of.
+    cell: usize,
+    contestants: Vec<Contestant>,
+    /// Where the row of each stands; `None` of the controls.
+    places: Vec<Option<usize>>,
+    order: Order,
+    seed: u64,
+}
+
+/// Measures the single rays of groups that were measured in a loop, in turns, and fills the columns
+/// of latency and cold calls.
 ///
 /// # Errors
 /// A group that cannot be measured.
 pub fn measure(
-    contestants: Vec<Contestant>,
-    places: &[usize],
-    order: Order,
-    seed: u64,
+    pieces: Vec<Piece>,
+    cells: &mut [Cell],
     bench: &mut Bench<'_>,
-    rows: &mut [Row],
 ) -> Result<(), ProtocolError> {
-    let places = places.iter().map(|place| Some(*place)).chain(std::iter::repeat(None));
+    let mut calls: Vec<Calls> = pieces.into_iter().filter_map(|piece| of(piece, cells)).collect();
+    if calls.is_empty() {
+        return Ok(());
+    }
+    let rounds = call_rounds(bench.rounds);
+    let protocol = |calls: &Calls| Protocol { rounds, ..Protocol::new(calls.order, calls.seed) };
+    let cold = |calls: &Calls| Protocol { pace: Pace::Cold, ..protocol(calls) };
+    measure_as(&mut calls, cells, bench, cold, put_cold)?;
+    for group in &mut calls {
+        let contestants = std::mem::take(&mut group.contestants);
+        group.contestants = contestants.into_iter().map(dependent).collect();
+    }
+    let latency = |calls: &Calls| Protocol {
+        pace: Pace::Latency,
+        block_ns: LATENCY_BLOCK_NS,
+        ..protocol(calls)
+    };
+    measure_as(&mut calls, cells, bench, latency, put_latency)
+}
+
+/// Who takes part of a group; nobody, where it has no single rays.
+fn of(piece: Piece, cells: &[Cell]) -> Option<Calls> {
+    let cell = &cells[piece.cell];
+    let rows = &cell.measured.rows;
+    let places = piece.places.iter().map(|place| Some(*place)).chain(std::iter::repeat(None));
     let takes_part = |contestant: &Contestant, place: Option<usize>| match contestant.role {
         Role::Subject => place.is_some_and(|place| is_single(&rows[place])),
         Role::Reference => place.is_none_or(|place| is_single(&rows[place])),
@@ -45,24 +78,37 @@ pub fn measure(
         // What copies differ by is told by the throughput of the same rounds.
         Role::Placebo => false,
     };
-    let (mut group, places): (Vec<Contestant>, Vec<Option<usize>>) = contestants
-        .into_iter()
-        .zip(places)
-        .filter(|(contestant, place)| takes_part(contestant, *place))
-        .unzip();
-    if places.iter().all(Option::is_none) {
-        return Ok(());
-    }
-    let protocol = Protocol { rounds: call_rounds(bench.rounds), ..Protocol::new(order, seed) };
-    let cold = Protocol { pace: Pace::Cold, ..protocol.clone() };
-    put(&bench.measure_as(&mut group, &cold)?, &places, rows, put_cold);
-    let dependent = |contestant: Contestant| match contestant.role {
+    let both = piece.contestants.into_iter().zip(places);
+    let (contestants, places): (Vec<Contestant>, Vec<Option<usize>>) =
+        both.filter(|(contestant, place)| takes_part(contestant, *place)).unzip();
+    let (order, seed) = (cell.order, cell.seed);
+    let calls = Calls { cell: piece.cell, contestants, places, order, seed };
+    calls.places.iter().any(Option::is_some).then_some(calls)
+}
+
+fn dependent(contestant: Contestant) -> Contestant {
+    match contestant.role {
         Role::Chain => contestant,
         _ => Contestant { job: Box::new(Dependent::new(contestant.job)), ..contestant },
-    };
-    let mut group: Vec<Contestant> = group.into_iter().map(dependent).collect();
-    let latency = Protocol { pace: Pace::Latency, block_ns: LATENCY_BLOCK_NS, ..protocol };
-    put(&bench.measure_as(&mut group, &latency)?, &places, rows, put_latency);
+    }
+}
+
+fn measure_as(
+    calls: &mut [Calls],
+    cells: &mut [Cell],
+    bench: &mut Bench<'_>,
+    protocol: impl Fn(&Calls) -> Protocol,
+    fill: fn(&mut Row, &Figures, Option<f64>),
+) -> Result<(), ProtocolError> {
+    let protocols: Vec<Protocol> = calls.iter().map(protocol).collect();
+    let both = calls.iter_mut().zip(&protocols);
+    let mut groups: Vec<Group<'_>> = both
+        .map(|(calls, protocol)| Group { contestants: &mut calls.contestants, protocol })
+        .collect();
+    let reports = bench.measure_together(&mut groups)?;
+    for (calls, report) in calls.iter().zip(&reports) {
+        put(report, &calls.places, &mut cells[calls.cell].measured.rows, fill);
+    }
     Ok(())
 }
 

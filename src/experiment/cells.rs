@@ -1,17 +1,15 @@
-//! One cell: variants on one scene in one order. Checked, then measured together.
+//! One cell: variants on one scene in one order. Checked, and cut into groups that are measured together.
 
 use std::sync::atomic::Ordering;
 
 use super::bench::Bench;
-use super::calls;
 use super::limits::least_cycles;
-use super::rows::{blank, outputs_hash, put_group, put_interrupted};
+use super::rows::{blank, outputs_hash};
 use super::run::Trouble;
 use super::scene::Scene;
+use super::together;
 pub use crate::measure::MOST_SUBJECTS;
-use crate::measure::{
-    Contestant, Figures, Order, PLACEBOS, PREDICTED_TESTS, Role, Status, yardsticks,
-};
+use crate::measure::{Contestant, Figures, Order, PLACEBOS, PREDICTED_TESTS, Role, yardsticks};
 use crate::registry::{self, Variant};
 use crate::rows::put_accuracy;
 use crate::table::Row;
@@ -29,12 +27,34 @@ pub struct Measured {
     pub wrong: Vec<String>,
 }
 
-/// Runs a cell. Variants of levels that this processor lacks become rows with status `skipped`,
-/// wrong ones rows with status `wrong-result`, and neither is timed. The rows of each group are
-/// kept under the name `cell`; where that is `None`, whoever calls keeps the whole.
+/// A cell, and what came of it so far.
+pub struct Cell {
+    /// In which order its variants are run.
+    pub order: Order,
+    /// The seed of its scene, and of its positions and permutations.
+    pub seed: u64,
+    /// Pairs, where they may be more than a branch predictor remembers.
+    pub pairs_beyond: Option<usize>,
+    /// A row per variant; the figures come with the measuring.
+    pub measured: Measured,
+}
+
+/// A group of a cell: what is measured in the same rounds.
+pub struct Piece {
+    /// Which cell it is of.
+    pub cell: usize,
+    /// Where the rows of its subjects stand in it.
+    pub places: Vec<usize>,
+    /// Those subjects, then the controls.
+    pub contestants: Vec<Contestant>,
+    /// The name to keep its rows under; `None` where whoever calls keeps the whole cell.
+    pub name: Option<String>,
+}
+
+/// Runs one cell. Its rows are kept by whoever calls.
 ///
 /// # Errors
-/// A group that cannot be measured or kept.
+/// A group that cannot be measured.
 pub fn run(
     experiment: &str,
     variants: &[&'static Variant],
@@ -42,8 +62,28 @@ pub fn run(
     scene: &Scene,
     order: Order,
     bench: &mut Bench<'_>,
-    cell: Option<&str>,
 ) -> Result<Measured, Trouble> {
+    let mut cells = Vec::new();
+    let pieces = prepare(experiment, variants, reference, (scene, order), bench, None, &mut cells)?;
+    together::measure(pieces, &mut cells, bench)?;
+    Ok(cells.swap_remove(0).measured)
+}
+
+/// Adds a cell to `cells` and gets its groups ready. Variants of levels that this processor lacks
+/// become rows with status `skipped`, wrong ones rows with status `wrong-result`, and neither is
+/// timed. Those rows, and later those of each group, are kept under the name `kept_as`.
+///
+/// # Errors
+/// Rows that cannot be kept, or that were kept and are of something else.
+pub fn prepare(
+    experiment: &str,
+    variants: &[&'static Variant],
+    reference: &'static Variant,
+    (scene, order): (&Scene, Order),
+    bench: &mut Bench<'_>,
+    kept_as: Option<&str>,
+    cells: &mut Vec<Cell>,
+) -> Result<Vec<Piece>, Trouble> {
     let mut measured = Measured { rows: Vec::new(), figures: Vec::new(), wrong: Vec::new() };
     let mut ready: Vec<(usize, Contestant)> = Vec::new();
     for variant in variants {
@@ -58,20 +98,34 @@ pub fn run(
         }
         measured.rows.push(row);
     }
-    if let Some(cell) = cell.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {
+    if let Some(cell) = kept_as.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {
         let timed = |place: &usize| ready.iter().any(|(other, _)| other == place);
         let untimed: Vec<usize> = (0..measured.rows.len()).filter(|place| !timed(place)).collect();
         bench.keep_untimed(&format!("{cell}, not timed"), &untimed, &mut measured.rows)?;
     }
+    let mut pieces = Vec::new();
     for (number, group) in groups(ready, variants).into_iter().enumerate() {
-        if bench.cancel.load(Ordering::Relaxed) {
-            group.iter().for_each(|(place, _)| put_interrupted(&mut measured.rows[*place]));
+        let (places, mut contestants): (Vec<usize>, Vec<Contestant>) = group.into_iter().unzip();
+        let name = kept_as.map(|cell| format!("{cell}, group {number}"));
+        if let Some(name) = &name
+            && bench.take_back(name, &places, &mut measured.rows)?
+        {
+            bench.pass_over(places.len());
             continue;
         }
-        let piece = cell.map(|cell| format!("{cell}, group {number}"));
-        time(group, reference, scene, order, bench, &mut measured, piece.as_deref())?;
+        add_controls(&mut contestants, reference, scene);
+        pieces.push(Piece { cell: cells.len(), places, contestants, name });
     }
-    Ok(measured)
+    cells.push(Cell::new(scene, order, measured));
+    Ok(pieces)
+}
+
+impl Cell {
+    /// A cell with rows that are not measured yet, or taken back from before.
+    pub fn new(scene: &Scene, order: Order, measured: Measured) -> Self {
+        let pairs_beyond = beyond_prediction(scene, 1).then_some(scene.rays.len());
+        Cell { order, seed: scene.facts.seed, pairs_beyond, measured }
+    }
 }
 
 /// Groups of at most [`MOST_SUBJECTS`], cut between kernels where that is possible, so that the
@@ -154,52 +208,13 @@ fn checked(variant: &'static Variant, scene: &Scene, row: &mut Row) -> Result<Co
     }
 }
 
-/// Measures one group and writes its figures into the rows, or takes the rows that were kept.
-fn time(
-    group: Vec<(usize, Contestant)>,
-    reference: &'static Variant,
-    scene: &Scene,
-    order: Order,
-    bench: &mut Bench<'_>,
-    measured: &mut Measured,
-    piece: Option<&str>,
-) -> Result<(), Trouble> {
-    let (places, mut contestants): (Vec<usize>, Vec<Contestant>) = group.into_iter().unzip();
-    if let Some(piece) = piece
-        && bench.take_back(piece, &places, &mut measured.rows)?
-    {
-        bench.pass_over(places.len());
-        return Ok(());
-    }
-    let subjects = contestants.len();
-    add_controls(&mut contestants, reference, scene);
-    let report = bench.measure(&mut contestants, order, scene.facts.seed)?;
-    for (place, figures) in places.iter().zip(&report.figures) {
-        let row = &mut measured.rows[*place];
-        let ok = std::mem::take(&mut row.status);
-        put_group(row, figures, &report, &ok);
-        if order == Order::Fixed && figures.status == Status::Ok {
-            mark_forgotten(row, scene);
-        }
-    }
-    if bench.calls {
-        calls::measure(contestants, &places, order, scene.facts.seed, bench, &mut measured.rows)?;
-    }
-    measured.figures.extend(report.figures.into_iter().take(subjects));
-    // The rows of this group are final now, if nothing cut its measuring short.
-    if let Some(piece) = piece.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {
-        bench.keep_piece(piece, &places, &measured.rows)?;
-    }
-    Ok(())
-}
-
 /// Says so where a set that is replayed may be, or was seen to be, more than the branch predictor
 /// remembers of it between two turns of a kernel.
-fn mark_forgotten(row: &mut Row, scene: &Scene) {
+pub fn mark_forgotten(row: &mut Row, pairs_beyond: Option<usize>) {
     if let Some(times) = row.solo_ratio.filter(|times| *times > MOST_OVER_SOLO) {
         row.reason = format!("{times:.2} times the time alone: {BEYOND}");
-    } else if beyond_prediction(scene, 1) {
-        row.reason = format!("{} pairs {BEYOND}", scene.rays.len());
+    } else if let Some(pairs) = pairs_beyond {
+        row.reason = format!("{pairs} pairs {BEYOND}");
     }
 }
 

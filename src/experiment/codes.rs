@@ -6,12 +6,12 @@ use std::sync::atomic::Ordering;
 
 use super::bench::Bench;
 use super::cells::Measured;
-use super::rows::put_group;
 use super::run::Trouble;
 use super::scene::reported;
+use super::together::{Waiting, measure_waiting};
 use super::workload::CodesWorkload;
 use crate::accuracy::{Truth, judge};
-use crate::measure::{Chain, Contestant, Order, Role};
+use crate::measure::{Chain, Contestant, Order, Protocol, Role};
 use crate::oracle::{Query, classify};
 use crate::registry::Variant;
 use crate::rows::of_variant;
@@ -45,6 +45,7 @@ pub fn run(
     bench: &mut Bench<'_>,
 ) -> Result<Measured, Trouble> {
     let mut measured = Measured { rows: Vec::new(), figures: Vec::new(), wrong: Vec::new() };
+    let mut waiting = Vec::new();
     for variant in variants {
         if bench.cancel.load(Ordering::Relaxed) {
             break;
@@ -66,9 +67,11 @@ pub fn run(
         }
         for order in &workload.orders {
             let rows = &mut measured.rows;
-            time(variant, &exits, &row, *order, (workload.pairs, seed), bench, rows)?;
+            let of = (workload.pairs, seed);
+            waiting.extend(prepare(variant, &exits, &row, *order, of, bench, rows)?);
         }
     }
+    measure_waiting(waiting, bench, &mut measured.rows)?;
     Ok(measured)
 }
 
@@ -167,9 +170,9 @@ fn says_parallel(variant: &Variant, code: u8) -> bool {
     meaning.is_some_and(|meaning| meaning.starts_with('|') && meaning.ends_with("eps"))
 }
 
-/// Times the exits of a listing side by side and adds a row for each, or takes those that were
-/// kept.
-fn time(
+/// Adds a row for each exit of a listing, and gets them ready to be timed side by side; nothing, where
+/// the rows were kept or none is to be timed.
+fn prepare(
     variant: &'static Variant,
     exits: &BTreeMap<u8, Exit>,
     row: &Row,
@@ -177,14 +180,14 @@ fn time(
     (pairs, seed): (usize, u64),
     bench: &mut Bench<'_>,
     rows: &mut Vec<Row>,
-) -> Result<(), Trouble> {
+) -> Result<Option<Waiting>, Trouble> {
     let first = rows.len();
     rows.extend(exits.iter().map(|(code, exit)| of_exit(variant, *code, exit, row, order, pairs)));
     let piece = format!("{} {order}", row.id);
     let all: Vec<usize> = (first..rows.len()).collect();
     if bench.take_back(&piece, &all, rows)? {
         bench.pass_over(USUAL_EXITS);
-        return Ok(());
+        return Ok(None);
     }
     let mut places = Vec::new();
     let mut contestants = Vec::new();
@@ -199,19 +202,13 @@ fn time(
             contestants.push(Contestant::new(format!("code {code}"), role, job));
         }
     }
-    let mut is_final = true;
-    if !contestants.is_empty() {
-        contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
-        let report = bench.measure(&mut contestants, order, seed)?;
-        for (place, figures) in places.into_iter().zip(&report.figures) {
-            put_group(&mut rows[place], figures, &report, "ok");
-        }
-        is_final = !report.cancelled;
-    }
-    if is_final {
+    if contestants.is_empty() {
         bench.keep_piece(&piece, &all, rows)?;
+        return Ok(None);
     }
-    Ok(())
+    contestants.push(Contestant::new("chain", Role::Chain, Box::new(Chain::default())));
+    let protocol = Protocol { rounds: bench.rounds, ..Protocol::new(order, seed) };
+    Ok(Some(Waiting { places, contestants, protocol, piece, all }))
 }
 
 /// The row of an exit before it is timed.

@@ -10,13 +10,15 @@ use super::bench::Bench;
 use super::cells::Measured;
 use super::limits::least_cycles;
 use super::memory_workload::{
-    CONTROLS, MemoryWorkload, RAYS, groups, last_cache_bytes, protocol, widest,
+    CONTROLS, MOST_BYTES, MemoryWorkload, RAYS, bytes_of, groups, last_cache_bytes, protocol,
+    widest,
 };
 use super::nearest_workload::NearestWorkload;
 use super::plan::Plan;
-use super::rows::{blank, put_group, tally_hash};
+use super::rows::{blank, tally_hash};
 use super::run::Trouble;
 use super::scene::Scene;
+use super::together::{Waiting, measure_waiting};
 use crate::batch::{Extent, TILE};
 use crate::job::{Block, Job, Tally};
 use crate::measure::{Cache, Contestant, Machine, Order, Role, yardsticks};
@@ -40,6 +42,7 @@ pub fn run(
         plan.variants.iter().copied().partition(|variant| (variant.available)());
     let here = widest(&here);
     let tile = tile(plan.experiment.seed)?;
+    let (mut waiting, mut held_bytes) = (Vec::new(), 0);
     for triangles in &workload.triangles {
         let set = Set { plan, tile: &tile, triangles: *triangles, caches: &caches };
         for variant in &elsewhere {
@@ -50,16 +53,21 @@ pub fn run(
         }
         for (number, group) in groups(&here, *triangles).into_iter().enumerate() {
             if bench.cancel.load(Ordering::Relaxed) {
-                return Ok(measured);
+                break;
             }
-            set.measure(
-                &group,
-                &format!("{triangles} triangles, group {number}"),
-                bench,
-                &mut measured,
-            )?;
+            let bytes = bytes_of(&group, *triangles);
+            if held_bytes + bytes > MOST_BYTES {
+                measure_waiting(std::mem::take(&mut waiting), bench, &mut measured.rows)?;
+                held_bytes = 0;
+            }
+            let piece = format!("{triangles} triangles, group {number}");
+            if let Some(group) = set.prepare(&group, piece, bench, &mut measured)? {
+                waiting.push(group);
+                held_bytes += bytes;
+            }
         }
     }
+    measure_waiting(waiting, bench, &mut measured.rows)?;
     Ok(measured)
 }
 
@@ -112,15 +120,15 @@ impl Set<'_> {
         }
     }
 
-    /// Builds the sets of a group, checks them, measures them and forgets them; or takes the rows that
-    /// were kept.
-    fn measure(
+    /// Builds the sets of a group and checks them; nothing, where the rows were kept or none is to be
+    /// timed.
+    fn prepare(
         &self,
         group: &[&'static Variant],
-        piece: &str,
+        piece: String,
         bench: &mut Bench<'_>,
         measured: &mut Measured,
-    ) -> Result<(), Trouble> {
+    ) -> Result<Option<Waiting>, Trouble> {
         let first = measured.rows.len();
         let (mut places, mut contestants) = (Vec::new(), Vec::new());
         for variant in group {
@@ -132,36 +140,19 @@ impl Set<'_> {
             measured.rows.push(row);
         }
         let all: Vec<usize> = (first..measured.rows.len()).collect();
-        if bench.take_back(piece, &all, &mut measured.rows)? {
-            let protocol = protocol(bench.rounds, self.plan.experiment.seed);
+        let bytes = bytes_of(group, self.triangles);
+        let protocol = protocol(bench.rounds, bytes, self.plan.experiment.seed);
+        if bench.take_back(&piece, &all, &mut measured.rows)? {
             bench.pass_over_as(&protocol, places.len() + CONTROLS);
-            return Ok(());
+            return Ok(None);
         }
-        if self.time(contestants, &places, bench, &mut measured.rows)? {
-            bench.keep_piece(piece, &all, &measured.rows)?;
-        }
-        Ok(())
-    }
-
-    /// Times what was checked and fills its rows; whether it came to its end.
-    fn time(
-        &self,
-        mut contestants: Vec<Contestant>,
-        places: &[usize],
-        bench: &mut Bench<'_>,
-        rows: &mut [Row],
-    ) -> Result<bool, Trouble> {
-        let Some(one) = contestants.first() else { return Ok(true) };
+        let Some(one) = contestants.first() else {
+            bench.keep_piece(&piece, &all, &measured.rows)?;
+            return Ok(None);
+        };
         let yardsticks = yardsticks(one.job.as_ref());
         contestants.extend(yardsticks);
-        let protocol = protocol(bench.rounds, self.plan.experiment.seed);
-        let report = bench.measure_as(&mut contestants, &protocol)?;
-        for (place, figures) in places.iter().zip(&report.figures) {
-            let row = &mut rows[*place];
-            let ok = std::mem::take(&mut row.status);
-            put_group(row, figures, &report, &ok);
-        }
-        Ok(!report.cancelled)
+        Ok(Some(Waiting { places, contestants, protocol, piece, all }))
     }
 
     /// Binds and judges a variant, which is not to be timed where it is wrong or has no such loop.

@@ -33,6 +33,7 @@ mod scene;
 mod search;
 mod select;
 mod stiff;
+mod together;
 mod useful;
 mod workload;
 

@@ -28,9 +28,12 @@ impl Patience {
         self.spare = self.spare.map(|left| left.saturating_add(spare));
     }
 
-    /// The protocol, with as many blocks to be run again as there is time for.
-    pub fn limit(&self, protocol: &Protocol) -> Protocol {
-        let blocks = |left: Duration| (left.as_nanos() / protocol.attempt_ns() as u128) as usize;
+    /// The protocol, with as many blocks to be run again as there is time for in this share of what is
+    /// left, 0 to 1.
+    pub fn limit(&self, protocol: &Protocol, share: f64) -> Protocol {
+        let blocks = |left: Duration| {
+            (left.mul_f64(share).as_nanos() / protocol.attempt_ns() as u128) as usize
+        };
         let most_spare_blocks = self.spare.map_or(usize::MAX, blocks);
         Protocol { most_spare_blocks, ..protocol.clone() }
     }
@@ -78,11 +81,12 @@ mod tests {
     fn blocks_are_limited_by_the_time_that_is_left() {
         let protocol = Protocol::new(Order::Literal, 1);
         let attempts = |count: u64| Some(Duration::from_nanos(count * protocol.attempt_ns()));
-        let limited = Patience { groups: 0, spare: attempts(7) }.limit(&protocol);
-        assert_eq!(limited.spare_blocks(4), 7);
-        assert_eq!(Patience::NONE.limit(&protocol).spare_blocks(4), 0);
+        let patience = Patience { groups: 0, spare: attempts(8) };
+        assert_eq!(patience.limit(&protocol, 1.0).spare_blocks(4), 8);
+        assert_eq!(patience.limit(&protocol, 0.25).spare_blocks(4), 2);
+        assert_eq!(Patience::NONE.limit(&protocol, 1.0).spare_blocks(4), 0);
         // Five quarters of 64 rounds of four blocks.
-        assert_eq!(Patience::groups(1).limit(&protocol).spare_blocks(4), 320);
+        assert_eq!(Patience::groups(1).limit(&protocol, 0.5).spare_blocks(4), 320);
     }
 
     #[test]

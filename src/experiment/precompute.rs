@@ -136,7 +136,7 @@ pub fn run(
         return Ok(Measured { wrong: wrong(&rows), rows, figures: Vec::new() });
     }
     let variants = &plan.variants;
-    let mut measured = cells::run(id, variants, plan.reference, &scene, Order::Fixed, bench, None)?;
+    let mut measured = cells::run(id, variants, plan.reference, &scene, Order::Fixed, bench)?;
     let cancelled = |bench: &Bench<'_>| bench.cancel.load(std::sync::atomic::Ordering::Relaxed);
     if cancelled(bench) {
         return Ok(measured);

@@ -3,7 +3,7 @@
 use std::sync::atomic::Ordering;
 
 use super::bench::Bench;
-use super::cells::{self, Measured};
+use super::cells::{self, Cell, Measured, Piece};
 use super::keep::KeepError;
 use super::plan::Plan;
 use super::rows::{put_percent_slower, put_seconds_mean};
@@ -11,7 +11,7 @@ use super::scene::Scene;
 use super::workload::Workload;
 use super::{
     arithmetic, bounds, clock_free, codes, memory, pictures, points, precompute, prices, search,
-    useful,
+    together, useful,
 };
 use crate::measure::{Order, ProtocolError};
 use crate::shard::Shard;
@@ -92,8 +92,10 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
     Ok(outcome)
 }
 
-/// Runs the cells of workloads that have some.
+/// Runs the cells of workloads that have some; their groups take turns, as many as make half a
+/// minute.
 fn run_cells(plan: &Plan, bench: &mut Bench<'_>, outcome: &mut Outcome) -> Result<(), Trouble> {
+    let (mut cells, mut pieces, mut scenes) = (Vec::new(), Vec::new(), Vec::new());
     for (number, (density, order)) in plan.cells().into_iter().enumerate() {
         if bench.cancel.load(Ordering::Relaxed) {
             break;
@@ -101,41 +103,66 @@ fn run_cells(plan: &Plan, bench: &mut Bench<'_>, outcome: &mut Outcome) -> Resul
         let scene = scene(plan, density, order)?;
         let density = density.map_or(String::new(), |density| format!(" {density}"));
         // The number alone would do; the rest is for whoever reads the journal.
-        let cell = format!("cell {number} {order}{density}");
-        let mut measured = run_cell(plan, &scene, order, bench, &cell)?;
+        let name = format!("cell {number} {order}{density}");
+        pieces.extend(prepare_cell(plan, (&scene, order), bench, &name, &mut cells)?);
+        scenes.push((scene, name));
+        if together::is_enough(&pieces, &cells, bench.rounds) {
+            together::measure(std::mem::take(&mut pieces), &mut cells, bench)?;
+            finish_cells(plan, (&mut cells, &mut scenes), bench, outcome)?;
+        }
+    }
+    together::measure(pieces, &mut cells, bench)?;
+    finish_cells(plan, (&mut cells, &mut scenes), bench, outcome)
+}
+
+/// Prepares a cell. One with priced forms is kept in one piece, since prices are made of all its
+/// samples.
+fn prepare_cell(
+    plan: &Plan,
+    (scene, order): (&Scene, Order),
+    bench: &mut Bench<'_>,
+    name: &str,
+    cells: &mut Vec<Cell>,
+) -> Result<Vec<Piece>, Trouble> {
+    let (id, variants) = (&plan.experiment.id, &plan.variants);
+    let in_one = has_prices(plan);
+    if in_one && let Some(rows) = bench.take_cell(name, scene.facts.hash)? {
+        bench.pass_over(variants.len());
+        let wrong = rows.iter().filter(|row| row.status == "wrong-result");
+        let wrong = wrong.map(|row| row.id.clone()).collect();
+        let measured = Measured { rows, figures: Vec::new(), wrong };
+        cells.push(Cell::new(scene, order, measured));
+        return Ok(Vec::new());
+    }
+    let kept_as = (!in_one).then_some(name);
+    cells::prepare(id, variants, plan.reference, (scene, order), bench, kept_as, cells)
+}
+
+fn has_prices(plan: &Plan) -> bool {
+    plan.variants.iter().any(|variant| !variant.axes.priced.is_empty())
+}
+
+/// What is made of all rows and samples of each cell.
+fn finish_cells(
+    plan: &Plan,
+    (cells, scenes): (&mut Vec<Cell>, &mut Vec<(Scene, String)>),
+    bench: &mut Bench<'_>,
+    outcome: &mut Outcome,
+) -> Result<(), Trouble> {
+    for (cell, (scene, name)) in cells.drain(..).zip(scenes.drain(..)) {
+        let mut measured = cell.measured;
+        if has_prices(plan) && !measured.figures.is_empty() {
+            let priced = prices::rows(&measured.rows, &measured.figures, &plan.variants);
+            measured.rows.extend(priced);
+            if !bench.cancel.load(Ordering::Relaxed) {
+                let all: Vec<usize> = (0..measured.rows.len()).collect();
+                bench.keep_piece(&name, &all, &measured.rows)?;
+            }
+        }
         useful::put(&mut measured.rows, &scene);
         outcome.take(measured);
     }
     Ok(())
-}
-
-/// Runs a cell. One with priced forms is one piece, since prices are made of all its samples.
-fn run_cell(
-    plan: &Plan,
-    scene: &Scene,
-    order: Order,
-    bench: &mut Bench<'_>,
-    cell: &str,
-) -> Result<Measured, Trouble> {
-    let (id, variants) = (&plan.experiment.id, &plan.variants);
-    let has_prices = variants.iter().any(|variant| !variant.axes.priced.is_empty());
-    if !has_prices {
-        return cells::run(id, variants, plan.reference, scene, order, bench, Some(cell));
-    }
-    if let Some(rows) = bench.take_cell(cell, scene.facts.hash)? {
-        bench.pass_over(variants.len());
-        let wrong = rows.iter().filter(|row| row.status == "wrong-result");
-        let wrong = wrong.map(|row| row.id.clone()).collect();
-        return Ok(Measured { rows, figures: Vec::new(), wrong });
-    }
-    let mut measured = cells::run(id, variants, plan.reference, scene, order, bench, None)?;
-    let priced = prices::rows(&measured.rows, &measured.figures, variants);
-    measured.rows.extend(priced);
-    if !bench.cancel.load(Ordering::Relaxed) {
-        let all: Vec<usize> = (0..measured.rows.len()).collect();
-        bench.keep_piece(cell, &all, &measured.rows)?;
-    }
-    Ok(measured)
 }
 
 impl Outcome {

@@ -6,7 +6,7 @@ use std::hint::black_box;
 
 /// Most items that a block runs: where time stands still (code that was optimised away, a clock
 /// that is stuck) the search ends here.
-const MOST_ITEM_RUNS: usize = 1 << 26;
+pub(super) const MOST_ITEM_RUNS: usize = 1 << 26;
 
 /// Runs `block` and times it; nothing but the run is between the two readings.
 pub(super) fn timed(job: &mut dyn Job, block: Block, clock: &mut dyn Clock) -> (u64, Tally) {

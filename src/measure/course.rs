@@ -24,6 +24,11 @@ impl Course {
         Course { rng, spare_blocks: 0, repeated_blocks: 0, latest: None }
     }
 
+    /// Forgets the last look: others have run since.
+    pub fn look_again(&mut self) {
+        self.latest = None;
+    }
+
     /// Takes one of the spare blocks, if there is one left.
     pub fn take_spare(&mut self) -> bool {
         let granted = self.spare_blocks > 0;

@@ -3,8 +3,9 @@
 //! ```text
 //! Contestants --validate, expectation--> Runners --plan--> rounds of timed blocks --> GroupReport
 //! ```
-//! All contestants run once a round, in positions drawn by a Latin square, in blocks too short
-//! for a pre-emption to fall into many of them. Comparisons are between blocks of one round.
+//! All contestants of a group run once a round, in positions drawn by a Latin square, in blocks too
+//! short for a pre-emption to fall into many of them. Comparisons are between blocks of one round.
+//! Groups take turns with their rounds, so that what lasts for a second is not all that one of them sees.
 
 mod affinity;
 mod build_info;
@@ -29,6 +30,7 @@ mod guard;
 mod interference;
 mod latin;
 mod machine;
+mod measuring;
 mod neighbour;
 mod pin;
 mod plan;
@@ -36,8 +38,10 @@ mod protocol;
 mod report;
 mod ruler;
 mod runner;
+mod sample;
 #[cfg(test)]
 mod scripted;
+mod shared;
 mod shuffle;
 mod steadiness;
 mod trace;
@@ -56,14 +60,14 @@ pub use empty::EmptyLoop;
 pub use environment::Environment;
 pub use figures::{CyclesSource, Figures, GroupReport, Invalid, Status};
 pub use forget::{Forget, Remember};
-pub use group::{Progress, Surroundings, measure_group};
+pub use group::{Group, Progress, Surroundings, measure_group, measure_groups};
 pub use guard::MOST_OPERATIONS_PER_CYCLE;
 pub use interference::Interference;
 pub use latin::LatinOrder;
 pub use machine::{Cache, Machine};
 pub use neighbour::NeighbourRuler;
 pub use pin::{Pin, Pinned, pin};
-pub use plan::PREDICTED_TESTS;
 pub use protocol::{Order, Pace, Protocol, ProtocolError};
 pub use ruler::{NoRuler, Reading, Ruler};
+pub use shared::PREDICTED_TESTS;
 pub use trace::{RoundState, RoundTrace};

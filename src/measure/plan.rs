@@ -1,9 +1,10 @@
 //! How the blocks of a contestant are cut. Frozen before the first round.
 
-use super::calibrate::{repeats, shortest_ns, timed};
+use super::calibrate::{MOST_ITEM_RUNS, repeats, shortest_ns, timed};
 use super::clock::Clock;
 use super::contestant::Contestant;
 use super::protocol::{Order, Pace, Protocol};
+use super::shared::Shared;
 use super::shuffle::{lay_out, permutation, shuffle};
 use crate::job::{Block, Job};
 use rand_pcg::Pcg64Mcg;
@@ -11,10 +12,7 @@ use rand_pcg::Pcg64Mcg;
 /// Least repeats in a row of an item under [`Order::Literal`]: the mispredictions where one item
 /// follows another (a few ns each) are spread over so many tests. Not more, so that a block has as
 /// many items as it can and one block is like another.
-const IN_A_ROW: usize = 64;
-
-/// Items that are looked at to guess what an item costs under [`Order::Literal`] and on a walk.
-const PROBED_ITEMS: usize = 256;
+pub(super) const IN_A_ROW: usize = 64;
 
 /// The blocks of one contestant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,64 +65,8 @@ fn cut(items: usize, windows: usize, window: usize) -> (usize, usize) {
     (at(window), at(window + 1))
 }
 
-/// Number of windows that all contestants share, so that a round compares the same items.
-pub(super) fn shared_windows(
-    contestants: &mut [&mut Contestant],
-    protocol: &Protocol,
-    clock: &mut dyn Clock,
-) -> usize {
-    let mut windows = 1;
-    let mut smallest = usize::MAX;
-    let mut walks = 0;
-    for contestant in contestants.iter_mut().filter(|c| !c.role.is_orderless()) {
-        let lanes = contestant.lanes.max(1);
-        let job = contestant.job.as_mut();
-        smallest = smallest.min(job.items());
-        walks += job.items() * job.tests_per_item() as usize / lanes;
-        if protocol.pace == Pace::Walk {
-            windows = windows.max(walk_windows(job, protocol, clock));
-            continue;
-        }
-        windows = windows.max(match protocol.order {
-            Order::Fixed => fixed_windows(job, protocol, clock),
-            Order::Literal => literal_windows(job, protocol, clock),
-            Order::Reshuffled => 1,
-        });
-    }
-    if protocol.order == Order::Fixed && protocol.pace != Pace::Walk {
-        windows = windows.max(walks.div_ceil(PREDICTED_TESTS));
-    }
-    windows.min(smallest)
-}
-
-/// Tests that a branch predictor is sure to remember, of all the contestants that take turns. One
-/// kernel alone is remembered over eight times as many (32 000 on a Zen 4), ten kernels of 1000
-/// tests were there, and fourteen were not; a Zen 3 remembers less, and what it forgets depends on
-/// the addresses that a process gets. Where a machine remembers less still, the time alone shows it.
-pub const PREDICTED_TESTS: usize = 4_000;
-
-/// One, unless a pass takes more than [`MOST_BLOCKS`]: the rounds of a set that is not cut are
-/// alike.
-fn fixed_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
-    let whole = Block::whole(job);
-    in_blocks(shortest_ns(job, whole, clock), protocol.block_ns)
-}
-
-/// The same, told by a part of a pass that begins in the middle of it.
-fn walk_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
-    let items = job.items().min(PROBED_ITEMS);
-    let probe = Block { first: (job.items() - items) / 2, items, repeats: 1, literal: false };
-    let mut probe_ns = u64::MAX;
-    for _ in 0..3 {
-        job.approach(probe);
-        probe_ns = probe_ns.min(timed(job, probe, clock).0);
-    }
-    let pass_ns = probe_ns as f64 / items as f64 * job.items() as f64;
-    in_blocks(pass_ns as u64, protocol.block_ns)
-}
-
 /// Blocks that a pass is cut into.
-fn in_blocks(pass_ns: u64, block_ns: u64) -> usize {
+pub(super) fn in_blocks(pass_ns: u64, block_ns: u64) -> usize {
     if pass_ns as f64 <= MOST_BLOCKS * block_ns as f64 {
         return 1;
     }
@@ -134,27 +76,18 @@ fn in_blocks(pass_ns: u64, block_ns: u64) -> usize {
 /// A pass of up to so many blocks is left whole.
 const MOST_BLOCKS: f64 = 2.5;
 
-/// As many as give [`IN_A_ROW`] repeats.
-fn literal_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
-    let items = job.items().min(PROBED_ITEMS);
-    let probe = Block { first: 0, items, repeats: IN_A_ROW, literal: true };
-    let item_ns = shortest_ns(job, probe, clock) as f64 / items as f64;
-    let pass_ns = item_ns * job.items() as f64;
-    // Not so many that some are never visited.
-    ((pass_ns / protocol.block_ns as f64).ceil() as usize).clamp(1, protocol.rounds)
-}
-
 /// The plan of one contestant, calibrated by itself.
 pub(super) fn plan(
     contestant: &mut Contestant,
     protocol: &Protocol,
-    shared_windows: usize,
+    shared: Shared,
     clock: &mut dyn Clock,
     rng: &mut Pcg64Mcg,
 ) -> Plan {
+    let times = shared.shorter(contestant);
     let job = contestant.job.as_mut();
     let walks = protocol.pace == Pace::Walk;
-    let mut plan = Plan { order: protocol.order, windows: shared_windows, repeats: 1, walks };
+    let mut plan = Plan { order: protocol.order, windows: shared.windows, repeats: 1, walks };
     if contestant.role.is_orderless() {
         plan.order = Order::Fixed;
         plan.windows = 1;
@@ -164,17 +97,42 @@ pub(super) fn plan(
         // A second time the window would be near.
         return plan;
     }
-    let least = match plan.order {
+    let block = plan.block(job.items(), 0);
+    match plan.order {
         Order::Reshuffled => {
             plan.windows = reshuffled_windows(job, protocol.block_ns, clock, rng);
-            return plan;
         }
-        Order::Literal => IN_A_ROW,
-        Order::Fixed => 1,
-    };
-    let block = plan.block(job.items(), 0);
-    plan.repeats = repeats(job, block, least, protocol.block_ns, clock);
+        Order::Literal => {
+            plan.repeats = literal_repeats(job, block, times, protocol.block_ns, clock);
+        }
+        Order::Fixed => plan.repeats = repeats(job, block, 1, protocol.block_ns, clock),
+    }
     plan
+}
+
+/// [`IN_A_ROW`], so many times. What it costs to go from item to item (a misprediction, data of the
+/// second-level cache: 1 to 3 % of so many tests) is a part of the time of a test; a number that is
+/// chosen by the clock is another one in the next run, and then so is the time. So the clock is asked
+/// only whether the block is far too long or too short.
+fn literal_repeats(
+    job: &mut dyn Job,
+    block: Block,
+    times: usize,
+    block_ns: u64,
+    clock: &mut dyn Clock,
+) -> usize {
+    let most = (MOST_ITEM_RUNS / block.items.max(1)).max(IN_A_ROW);
+    let mut block = Block { repeats: (IN_A_ROW * times).min(most), ..block };
+    let mut ns = shortest_ns(job, block, clock);
+    while ns < block_ns / 4 && block.repeats <= most / 2 {
+        block.repeats *= 2;
+        ns = shortest_ns(job, block, clock);
+    }
+    while ns > 4 * block_ns && block.repeats >= 2 * IN_A_ROW {
+        block.repeats /= 2;
+        ns = shortest_ns(job, block, clock);
+    }
+    block.repeats
 }
 
 /// The plan of a cold contestant: one item a block, the next round's block the next item.

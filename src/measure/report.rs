@@ -3,10 +3,11 @@
 use super::chain::CYCLES_PER_STEP;
 use super::contestant::Role;
 use super::figures::{CyclesSource, Figures, GroupReport, Invalid, Status};
-use super::group::Rounds;
 use super::guard;
+use super::measuring::Rounds;
 use super::protocol::{Pace, Protocol};
-use super::runner::{Runner, Sample};
+use super::runner::Runner;
+use super::sample::Sample;
 use super::trace::{self, RoundTrace};
 use super::windows;
 use crate::stats::{decide, log_ratios, median, paired_ratio, sign_interval};
@@ -45,7 +46,8 @@ pub(super) fn report(
     mut trace: Vec<RoundTrace>,
 ) -> GroupReport {
     let number = runners.len();
-    let crowded_share = drop_crowded(runners, protocol.planned_rounds(number), &mut rounds);
+    let planned = protocol.planned_rounds(number);
+    let crowded_share = drop_crowded(runners, planned, &mut rounds);
     runners.iter_mut().for_each(windows::level);
     trace::level(&mut trace, runners);
     let controls = Controls::of(runners);
@@ -65,7 +67,7 @@ pub(super) fn report(
         placebo_floor: placebo_floor(&figures),
         noise_floor: floor,
         figures,
-        planned_rounds: protocol.planned_rounds(number),
+        planned_rounds: planned,
         rounds: rounds.clean,
         dirty_rounds: rounds.dirty,
         crowded_share,

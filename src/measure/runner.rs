@@ -13,7 +13,9 @@ use super::guard;
 use super::plan::Plan;
 use super::protocol::Order;
 use super::ruler::{Reading, Ruler};
+use super::sample::Sample;
 use super::shuffle;
+use crate::job::Block;
 use crate::stats::median;
 use rand_pcg::Pcg64Mcg;
 
@@ -48,34 +50,6 @@ impl Instruments<'_> {
             }
         }
         reading
-    }
-}
-
-/// One block of one contestant.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sample {
-    /// Time of the whole block.
-    pub ns: u64,
-    /// Tests in it.
-    pub tests: u64,
-    /// What the clock said at its end, ns.
-    pub at_ns: u64,
-    /// Which window of the items it was.
-    pub window: usize,
-    /// What the processor counted over the block, where it does.
-    pub counts: Option<Counts>,
-    /// Length of a cycle before and after it, on average, where a ruler tells.
-    pub ns_per_cycle: Option<f64>,
-    /// Whether a neighbour was seen right before or after it, or another block of its round.
-    pub crowded: bool,
-    /// How many times longer a pass over all windows takes than one of this window, per test; 1
-    /// until [`super::windows`] has found out.
-    pub share_of_pass: f64,
-}
-
-impl Sample {
-    pub fn ns_per_test(&self) -> f64 {
-        self.ns as f64 / self.tests as f64 * self.share_of_pass
     }
 }
 
@@ -154,7 +128,14 @@ impl<'a> Runner<'a> {
     fn lay_out(&mut self, window: usize, rng: &mut Pcg64Mcg) -> Option<Vec<u32>> {
         let job = self.contestant.job.as_mut();
         match self.plan.order {
-            Order::Literal => None,
+            Order::Literal => {
+                // Other groups have run since. What is learned of the first item is forgotten at the
+                // second.
+                let block = self.plan.block(job.items(), window);
+                job.touch(block);
+                warm_up(job, Block { items: 1, ..block });
+                None
+            }
             Order::Fixed if self.plan.walks => {
                 job.approach(self.plan.block(job.items(), window));
                 None
@@ -170,6 +151,10 @@ impl<'a> Runner<'a> {
                 None
             }
             Order::Reshuffled => {
+                // In the order of the last time, which tells nothing of the new one: code that is far,
+                // and branches that were never seen, are no part of a loop over many rays.
+                let block = self.plan.block(job.items(), window);
+                warm_up(job, Block { items: block.items.div_ceil(2), ..block });
                 let order = self.plan.new_order(job.items(), window, rng);
                 shuffle::lay_out(rng, job, &order);
                 Some(order)

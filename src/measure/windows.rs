@@ -6,7 +6,8 @@
 //! blocks of the same work differ by. (Adding up the blocks of a pass would do as well, were it not
 //! for outliers: a sum of five blocks is spoilt five times as often as a block.)
 
-use super::runner::{Runner, Sample};
+use super::runner::Runner;
+use super::sample::Sample;
 use crate::stats::median;
 
 /// Visits of a window from which on its median is taken for what it takes. The intervals are those

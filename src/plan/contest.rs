@@ -131,7 +131,7 @@ pub fn time(
     bench: &mut Bench<'_>,
 ) -> Result<Timed, Trouble> {
     let order = Order::Reshuffled;
-    let measured = cells::run(EXPERIMENT, variants, default, scene, order, bench, None)?;
+    let measured = cells::run(EXPERIMENT, variants, default, scene, order, bench)?;
     // What has no copies to be compared with is held to what is no difference anywhere.
     let floors = measured.rows.iter().filter_map(|row| row.noise_floor);
     let floor = floors.fold(Protocol::new(order, scene.facts.seed).margin, f64::max);

@@ -1,7 +1,9 @@
 //! The whole protocol on a scripted clock: what comes out is known before.
 
+mod neighbours;
 mod orders;
 mod rounds;
+mod turns;
 mod verdicts;
 
 use super::scripted::{Call, Script, ScriptedJob};
@@ -30,6 +32,19 @@ fn usual(script: &Script, items: usize) -> Vec<Contestant> {
     ];
     let one = |(id, role, cost)| subject(id, role, ScriptedJob::new(script, items, cost)).0;
     contestants.map(one).into()
+}
+
+/// A group of the reference at 1000 ns a test and whoever else, with chain and empty loop.
+fn with(script: &Script, others: &[(&str, Role, u64)]) -> Vec<Contestant> {
+    let controls = [
+        ("reference", Role::Reference, 1000),
+        ("chain", Role::Chain, 500),
+        ("empty", Role::Empty, 1),
+    ];
+    let one = |(id, role, cost): &(&str, Role, u64)| {
+        subject(id, *role, ScriptedJob::new(script, 100, *cost)).0
+    };
+    controls.iter().chain(others).map(one).collect()
 }
 
 /// 20 rounds of 60 us in every order.

@@ -16,8 +16,13 @@ fn reshuffled_shows_no_order_twice_and_none_before_its_time() {
     assert_eq!(*end, Call::Permute((0..4000).collect()));
     let mut orders = std::collections::BTreeSet::new();
     // Three to cut the blocks, twice three to see that twice the work takes twice the time.
-    assert_eq!(rounds.len(), 2 * (3 + 6 + 20));
-    for pair in rounds.chunks(2) {
+    let (trials, rounds) = rounds.split_at(2 * (3 + 6));
+    assert_eq!(rounds.len(), 3 * 20);
+    // Before each round half a block in the order of the last one, which is over.
+    let before =
+        |call: &Call| matches!(call, Call::Run { block, timed: false } if block.items <= 2000);
+    assert!(rounds.iter().step_by(3).all(before));
+    for pair in trials.chunks(2).chain(rounds.chunks(3).map(|round| &round[1..])) {
         let [Call::Permute(order), Call::Run { block, timed: true }] = pair else {
             panic!("not one timed run per order: {pair:?}");
         };
@@ -57,7 +62,12 @@ fn literal_repeats_in_a_row_and_visits_every_item() {
         visits[fast.first..fast.first + fast.items].iter_mut().for_each(|v| *v += 1);
     }
     assert!(visits.iter().all(|&v| v >= 1));
-    assert!(calls.borrow().iter().skip(1000).all(|c| matches!(c, Call::Run { timed: true, .. })));
+    // Untimed is only the first item of a block, once: what it teaches the second item contradicts.
+    let untimed = |call: &&Call| matches!(call, Call::Run { timed: false, .. });
+    let calls = calls.borrow();
+    let warming: Vec<&Call> = calls.iter().skip(1000).filter(untimed).collect();
+    let one = |call: &&Call| matches!(call, Call::Run { block, .. } if (block.items, block.repeats) == (1, 1));
+    assert!(warming.len() == 20 && warming.iter().all(one));
 }
 
 #[test]
@@ -189,4 +199,23 @@ fn many_contestants_replay_fewer_items_each() {
     let mut packets = three.map(|contestant| contestant.with_limits(8, 0.0));
     let report = measure(&mut packets, &protocol(Order::Fixed), &script);
     assert!(report.figures.iter().all(|figures| figures.windows == 1));
+}
+
+#[test]
+fn a_literal_order_repeats_as_often_whatever_the_clock_says() {
+    let repeats = |costs: [u64; 2]| {
+        let script = Script::default();
+        let new = |id: &str, cost, least| {
+            let contestant = subject(id, Role::Subject, ScriptedJob::new(&script, 1000, cost)).0;
+            contestant.with_limits(1, least)
+        };
+        let mut group = [new("short", costs[0], 2.0), new("long", costs[1], 9.0)];
+        let report = measure(&mut group, &protocol(Order::Literal), &script);
+        [report.figures[0].repeats, report.figures[1].repeats]
+    };
+    // 4.5 times as long by what they must do at least: four times as many.
+    let usual = repeats([4, 16]);
+    assert_eq!(usual, [256, 64]);
+    assert_eq!(repeats([3, 19]), usual);
+    assert_eq!(repeats([5, 13]), usual);
 }
