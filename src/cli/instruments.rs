@@ -160,9 +160,9 @@ const VARIABLE: &str = "RAY_TEST_PATIENCE";
 const PATIENCE: u32 = 6;
 /// The same of all experiments of a run, for every 64 rounds.
 const RUN_PATIENCE: u32 = 36;
-/// Time for them and for single blocks, for every 64 rounds of a run: a tenth of what a quick one
+/// Time for them and for single blocks, for every 64 rounds of a run: a fifteenth of what a quick one
 /// takes, so that it ends within two minutes beside a neighbour as well.
-const RUN_SPARE: Duration = Duration::from_secs(10);
+const RUN_SPARE: Duration = Duration::from_secs(8);
 /// More would be hours of waiting.
 const MOST_PATIENCE: u32 = 1000;
 

@@ -183,7 +183,7 @@ impl Protocol {
         let lay_out_ns = match self.order {
             Order::Literal => 0,
             Order::Fixed => self.block_ns / 2,
-            Order::Reshuffled => self.block_ns + self.block_ns / 2,
+            Order::Reshuffled => self.block_ns + self.block_ns / 4,
         };
         lay_out_ns + self.block_ns + LOOK_NS
     }
@@ -213,7 +213,7 @@ mod tests {
         // Four times as many, a third as long; calls one by one stay as they are.
         let reshuffled = Protocol::new(Order::Reshuffled, 1);
         assert_eq!((reshuffled.planned_rounds(16), reshuffled.block_ns), (256, 20_000));
-        assert_eq!(reshuffled.attempt_ns(), 65_000);
+        assert_eq!(reshuffled.attempt_ns(), 60_000);
         assert_eq!(Protocol { pace: Pace::Cold, ..reshuffled }.planned_rounds(16), 64);
     }
 

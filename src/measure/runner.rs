@@ -154,7 +154,7 @@ impl<'a> Runner<'a> {
                 // In the order of the last time, which tells nothing of the new one: code that is far,
                 // and branches that were never seen, are no part of a loop over many rays.
                 let block = self.plan.block(job.items(), window);
-                warm_up(job, Block { items: block.items.div_ceil(2), ..block });
+                warm_up(job, Block { items: block.items.div_ceil(4), ..block });
                 let order = self.plan.new_order(job.items(), window, rng);
                 shuffle::lay_out(rng, job, &order);
                 Some(order)

@@ -18,9 +18,9 @@ fn reshuffled_shows_no_order_twice_and_none_before_its_time() {
     // Three to cut the blocks, twice three to see that twice the work takes twice the time.
     let (trials, rounds) = rounds.split_at(2 * (3 + 6));
     assert_eq!(rounds.len(), 3 * 20);
-    // Before each round half a block in the order of the last one, which is over.
+    // Before each round a quarter of a block in the order of the last one, which is over.
     let before =
-        |call: &Call| matches!(call, Call::Run { block, timed: false } if block.items <= 2000);
+        |call: &Call| matches!(call, Call::Run { block, timed: false } if block.items <= 1000);
     assert!(rounds.iter().step_by(3).all(before));
     for pair in trials.chunks(2).chain(rounds.chunks(3).map(|round| &round[1..])) {
         let [Call::Permute(order), Call::Run { block, timed: true }] = pair else {
