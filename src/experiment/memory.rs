@@ -140,8 +140,7 @@ impl Set<'_> {
             measured.rows.push(row);
         }
         let all: Vec<usize> = (first..measured.rows.len()).collect();
-        let bytes = bytes_of(group, self.triangles);
-        let protocol = protocol(bench.rounds, bytes, self.plan.experiment.seed);
+        let protocol = protocol(bench.rounds, self.plan.experiment.seed);
         if bench.take_back(&piece, &all, &mut measured.rows)? {
             bench.pass_over_as(&protocol, places.len() + CONTROLS);
             return Ok(None);

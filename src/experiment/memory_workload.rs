@@ -62,28 +62,21 @@ impl MemoryWorkload {
 
     /// Blocks that are timed of variants that run here.
     pub(super) fn blocks(&self, variants: &[&'static Variant], rounds: usize) -> usize {
-        let of_group = |group: &Vec<&'static Variant>, triangles: usize| {
+        let of_group = |group: Vec<&'static Variant>| {
             let contestants = group.len() + CONTROLS;
-            let protocol = protocol(rounds, bytes_of(group, triangles), 0);
-            protocol.planned_rounds(contestants) * contestants
+            protocol(rounds, 0).planned_rounds(contestants) * contestants
         };
         let variants = widest(variants);
-        let of_set = |triangles| {
-            groups(&variants, triangles)
-                .iter()
-                .map(|group| of_group(group, triangles))
-                .sum::<usize>()
-        };
-        self.triangles.iter().copied().map(of_set).sum()
+        let of_set = |triangles| groups(&variants, triangles).into_iter().map(of_group);
+        self.triangles.iter().copied().flat_map(of_set).sum()
     }
 
     /// Seconds for building sets and for reading them on the way to their blocks.
     pub(super) fn seconds_around(&self, variants: &[&'static Variant], rounds: usize) -> f64 {
         let (cache, variants) = (last_cache_bytes(&Machine::this().caches), widest(variants));
-        let reads =
-            |bytes| protocol(rounds, bytes, 0).planned_rounds(MOST_SUBJECTS + CONTROLS) as f64;
+        let reads = protocol(rounds, 0).planned_rounds(MOST_SUBJECTS + CONTROLS) as f64;
         let of_set = |bytes: usize| {
-            let walks = if bytes > cache { 0.0 } else { reads(bytes) / BYTES_READ_PER_SECOND };
+            let walks = if bytes > cache { 0.0 } else { reads / BYTES_READ_PER_SECOND };
             bytes as f64 * (walks + 1.0 / BYTES_BUILT_PER_SECOND)
         };
         let sets = self.triangles.iter();
@@ -96,16 +89,12 @@ impl MemoryWorkload {
     }
 }
 
-/// Most bytes of a group's sets that are read on the way to a block in about the time of the block.
-const SOON_READ: usize = 8 << 20;
-
-/// The usual rounds of small sets; of others a quarter, since most of their time is the way to the next
-/// block, and memory is slow by tens of per cent or not at all. `bytes` are those of all sets of a
-/// group.
-pub(super) fn protocol(rounds: usize, bytes: usize, seed: u64) -> Protocol {
-    let share = if bytes <= SOON_READ { 1 } else { 4 };
+/// A quarter of the usual rounds, since most of their time is the way to the next block; memory is
+/// slow by tens of per cent or not at all. (With all of them, the walk over a small set comes often
+/// enough for a branch predictor to learn it by and by.)
+pub(super) fn protocol(rounds: usize, seed: u64) -> Protocol {
     Protocol {
-        rounds: (rounds / share).max(Protocol::LEAST_ROUNDS),
+        rounds: (rounds / 4).max(Protocol::LEAST_ROUNDS),
         // As many as that: others would be read for nothing.
         exact_rounds: true,
         pace: Pace::Walk,
