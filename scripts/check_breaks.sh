@@ -269,7 +269,7 @@ signalled() {
     "$@" run "$configs/b-4.2.toml" --profile thorough --filter '^(moller1|wald)/f32/single' --out told \
         >out 2>err </dev/null &
     pid=$!
-    # Its file is there when it begins; the first rows are kept after half a minute.
+    # Its file is there when it begins; the first rows are kept at the end of what takes turns.
     for _ in {1..600}; do
         [ -s told/b-4.2/rows.ndjson ] && break
         sleep 0.1

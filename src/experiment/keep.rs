@@ -1,6 +1,6 @@
 //! Keeping rows as soon as they are final, so that an interrupted run can be gone on with.
 //!
-//! A *piece* is what is measured together, and so is either kept as a whole or measured again: a
+//! A *piece* is what is compared with each other, and so is either kept as a whole or measured again: a
 //! group of a cell, a whole cell where prices are made of its samples, the exits of a listing in
 //! one order. Pieces are cut the same way in every run, so that their names find them again.
 

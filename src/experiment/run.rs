@@ -92,8 +92,7 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
     Ok(outcome)
 }
 
-/// Runs the cells of workloads that have some; their groups take turns, as many as make half a
-/// minute.
+/// Runs the cells of workloads that have some; the groups of as many as are enough take turns.
 fn run_cells(plan: &Plan, bench: &mut Bench<'_>, outcome: &mut Outcome) -> Result<(), Trouble> {
     let (mut cells, mut pieces, mut scenes) = (Vec::new(), Vec::new(), Vec::new());
     for (number, (density, order)) in plan.cells().into_iter().enumerate() {

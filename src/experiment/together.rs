@@ -10,8 +10,9 @@ use super::run::Trouble;
 use crate::measure::{Contestant, Group, GroupReport, Order, Protocol, Status};
 use crate::table::Row;
 
-/// Time inside the blocks of what takes turns, ns: with all that is around them some half a minute.
-/// Long against what lasts and cannot be seen, 0.1 to 1 s, and no more than an interruption may cost.
+/// Time inside the blocks of what takes turns, ns, from which on no further cell joins. Long against
+/// what lasts and cannot be seen, 0.1 to 1 s. A cell is not cut: with all that is around its blocks,
+/// `packets` took 25 s in 256 rounds and 157 s in 1024, `b-4.2` 18 and 66 s.
 const TURNS_NS: u64 = 15_000_000_000;
 
 /// Whether there is enough to take turns.
