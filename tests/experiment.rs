@@ -3,13 +3,13 @@
 
 mod support;
 
-use ray_test::experiment::{KeepNothing, Outcome};
+use ray_test::experiment::Outcome;
 use ray_test::table::Row;
-use support::{Memory, attempt, plan, run_until};
+use support::{Memory, OfRun, attempt, plan, run_until};
 
 /// Runs an experiment in 16 rounds.
 fn rows(text: &str, cancelled: bool) -> Outcome {
-    run_until(text, if cancelled { 0 } else { usize::MAX }, &mut KeepNothing)
+    run_until(text, if cancelled { 0 } else { usize::MAX }, &mut Memory::default())
 }
 
 fn pairs(variants: &str, more: &str) -> String {
@@ -140,6 +140,11 @@ fn an_interrupted_run_goes_on_where_it_was() {
             assert_eq!(memory.0, whole.0[..memory.0.len()], "{blocks}");
             let unmeasured = interrupted.rows.iter().filter(|row| row.status == "not-measured");
             assert!(unmeasured.clone().all(|row| row.reason.starts_with("interrupted")));
+            // Interrupted again at once, it has what it had before.
+            let again = run_until(&text, 0, &mut memory);
+            let ids = |rows: &[Row]| rows.iter().map(|row| row.id.clone()).collect::<Vec<_>>();
+            let kept: Vec<Row> = memory.0.iter().flat_map(|(_, rows)| rows.clone()).collect();
+            assert!(again.interrupted && ids(&again.rows) == ids(&kept), "{blocks}");
             let gone_on = run_until(&text, usize::MAX, &mut memory);
             assert!(gone_on.rows == undisturbed.rows && !gone_on.interrupted, "{blocks}");
             assert!(memory.0 == whole.0, "{blocks}");
@@ -153,7 +158,7 @@ fn rows_of_another_workload_are_refused() {
     let mut memory = Memory::default();
     run_until(&text, usize::MAX, &mut memory);
     memory.0[0].1[0].workload_hash = "f00d".into();
-    let refused = attempt(&text, 16, usize::MAX, &mut memory);
+    let refused = attempt(&text, 16, usize::MAX, &mut OfRun::new(&mut memory));
     let refused = refused.err().expect("another workload").to_string();
     for part in ["test", "cell 0", "workload_hash", "'f00d'", "now '"] {
         assert!(refused.contains(part), "no '{part}' in: {refused}");

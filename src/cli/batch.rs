@@ -197,7 +197,8 @@ fn measure(
         folder.save(plan, &outcome)?;
         bar.suspend(|| said(&id, &outcome, start.elapsed()));
         wrong.extend(outcome.wrong.iter().map(|variant| format!("{id}: {variant}")));
-        if outcome.interrupted {
+        // Told to end after its last block, it is whole, and what comes next is not begun.
+        if outcome.interrupted || cancel.load(Ordering::Relaxed) {
             bar.finish_and_clear();
             // Everything is saved: a stdout that is closed does not change what came of it.
             let _ = unfinished::print_rows(&outcome.rows, &folder.table(plan));

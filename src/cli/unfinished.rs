@@ -17,7 +17,7 @@ use crate::measure::{Protocol, RoundTrace};
 use crate::report::count;
 use crate::table::{Journal, Journaled, Row, TableError};
 
-/// A journal, with what it held when the run was gone on with.
+/// A journal, with what it held when the run was gone on with and that was not handed out yet.
 pub struct Keeper {
     journal: Journal,
     before: BTreeMap<String, Vec<Row>>,
@@ -36,8 +36,16 @@ impl Keeper {
 }
 
 impl Keep for Keeper {
-    fn kept(&self, piece: &str) -> Option<Vec<Row>> {
-        self.before.get(piece).cloned()
+    fn is_kept(&self, piece: &str) -> bool {
+        self.before.contains_key(piece)
+    }
+
+    fn hand_out(&mut self, piece: &str) -> Option<Vec<Row>> {
+        self.before.remove(piece)
+    }
+
+    fn hand_out_rest(&mut self) -> Vec<Row> {
+        std::mem::take(&mut self.before).into_values().flatten().collect()
     }
 
     fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {

@@ -209,8 +209,16 @@ mod tests {
     }
 
     impl Keep for Neighbour {
-        fn kept(&self, piece: &str) -> Option<Vec<Row>> {
-            KeepNothing.kept(piece)
+        fn is_kept(&self, piece: &str) -> bool {
+            KeepNothing.is_kept(piece)
+        }
+
+        fn hand_out(&mut self, piece: &str) -> Option<Vec<Row>> {
+            KeepNothing.hand_out(piece)
+        }
+
+        fn hand_out_rest(&mut self) -> Vec<Row> {
+            KeepNothing.hand_out_rest()
         }
 
         fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {

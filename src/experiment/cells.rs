@@ -98,7 +98,11 @@ pub fn prepare(
         }
         measured.rows.push(row);
     }
-    if let Some(cell) = kept_as.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {
+    if bench.cancel.load(Ordering::Relaxed) {
+        // Groups of fewer are others than those that were kept: as if the cell was not begun.
+        measured.rows.clear();
+        ready.clear();
+    } else if let Some(cell) = kept_as {
         let timed = |place: &usize| ready.iter().any(|(other, _)| other == place);
         let untimed: Vec<usize> = (0..measured.rows.len()).filter(|place| !timed(place)).collect();
         bench.keep_untimed(&format!("{cell}, not timed"), &untimed, &mut measured.rows)?;

@@ -11,8 +11,12 @@ use crate::table::{Row, TableError};
 
 /// Where rows go as soon as they are final, and where those of an interrupted run come from.
 pub trait Keep {
-    /// The rows of a piece that were kept before, in their order; `None` if it must be measured.
-    fn kept(&self, piece: &str) -> Option<Vec<Row>>;
+    /// Whether the rows of a piece were kept before, and are still here.
+    fn is_kept(&self, piece: &str) -> bool;
+    /// Hands out the rows of such a piece, in their order; `None` if it must be measured.
+    fn hand_out(&mut self, piece: &str) -> Option<Vec<Row>>;
+    /// Hands out all that is still here: of pieces that a run did not come to.
+    fn hand_out_rest(&mut self) -> Vec<Row>;
     /// Keeps the rows of a piece; only columns that need the rows of all pieces are still empty.
     ///
     /// # Errors
@@ -28,8 +32,16 @@ pub trait Keep {
 pub struct KeepNothing;
 
 impl Keep for KeepNothing {
-    fn kept(&self, _: &str) -> Option<Vec<Row>> {
+    fn is_kept(&self, _: &str) -> bool {
+        false
+    }
+
+    fn hand_out(&mut self, _: &str) -> Option<Vec<Row>> {
         None
+    }
+
+    fn hand_out_rest(&mut self) -> Vec<Row> {
+        Vec::new()
     }
 
     fn keep(&mut self, _: &str, _: &[Row]) -> Result<(), TableError> {
@@ -89,7 +101,7 @@ impl Bench<'_> {
         places: &[usize],
         rows: &mut [Row],
     ) -> Result<bool, KeepError> {
-        let Some(kept) = self.keep.kept(piece) else { return Ok(false) };
+        let Some(kept) = self.keep.hand_out(piece) else { return Ok(false) };
         KeepError::check(piece, "number", kept.len(), places.len())?;
         for (place, kept) in places.iter().zip(kept) {
             let now = &mut rows[*place];
@@ -107,7 +119,7 @@ impl Bench<'_> {
     /// # Errors
     /// If they are of another workload.
     pub fn take_cell(&mut self, cell: &str, hash: u64) -> Result<Option<Vec<Row>>, KeepError> {
-        let Some(kept) = self.keep.kept(cell) else { return Ok(None) };
+        let Some(kept) = self.keep.hand_out(cell) else { return Ok(None) };
         for row in &kept {
             KeepError::check(cell, "workload_hash", &row.workload_hash, format!("{hash:016x}"))?;
         }

@@ -83,6 +83,10 @@ fn run_all(plan: &Plan, bench: &mut Bench<'_>) -> Result<Outcome, Trouble> {
         Workload::Arithmetic => outcome.rows = arithmetic::run(id, seed, bench)?,
         _ => run_cells(plan, bench, &mut outcome)?,
     }
+    // Interrupted again, it still has what it had before.
+    if bench.cancel.load(Ordering::Relaxed) {
+        outcome.rows.extend(bench.keep.hand_out_rest());
+    }
     bounds::put(&mut outcome.rows, &plan.variants, &streams);
     outcome.rows.extend(streams);
     finish(plan, &mut outcome.rows);

@@ -1,6 +1,6 @@
 //! How the blocks of a contestant are cut. Frozen before the first round.
 
-use super::calibrate::{MOST_ITEM_RUNS, repeats, shortest_ns, timed};
+use super::calibrate::{MOST_ITEM_RUNS, repeats, shortest_ns, timed, warm_up};
 use super::clock::Clock;
 use super::contestant::Contestant;
 use super::protocol::{Order, Pace, Protocol};
@@ -10,9 +10,13 @@ use crate::job::{Block, Job};
 use rand_pcg::Pcg64Mcg;
 
 /// Least repeats in a row of an item under [`Order::Literal`]: the mispredictions where one item
-/// follows another (a few ns each) are spread over so many tests. Not more, so that a block has as
-/// many items as it can and one block is like another.
-pub(super) const IN_A_ROW: usize = 64;
+/// follows another (a few ns each) are spread over so many tests. With 64, one cell of 33 took half a
+/// cycle, 1.6 %, more in one process than in the next, all the time: the predictor knew one step the
+/// less. Not more, so that a block has as many items as it can and one block is like another.
+pub(super) const IN_A_ROW: usize = 128;
+
+/// Passes over a replayed set, timed or not, until it is known.
+const WARM_PASSES: usize = 4;
 
 /// The blocks of one contestant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,7 +39,7 @@ impl Plan {
     }
 
     /// The items of a window in a new random order, in front of the others.
-    pub fn new_order(&self, items: usize, window: usize, rng: &mut Pcg64Mcg) -> Vec<u32> {
+    fn new_order(&self, items: usize, window: usize, rng: &mut Pcg64Mcg) -> Vec<u32> {
         let (first, end) = self.range(items, window);
         let mut order: Vec<u32> = (first as u32..end as u32).collect();
         shuffle(rng, &mut order);
@@ -47,6 +51,47 @@ impl Plan {
     /// do not come to, for what was looked at is near for a while.
     pub fn trial_window(&self) -> usize {
         if self.walks { self.windows / 2 } else { 0 }
+    }
+
+    /// Brings the items into the order of the block of a window, and what it finds at its beginning
+    /// into the state that every block finds it in; the new order, if it is new.
+    pub fn lay_out(
+        &self,
+        job: &mut dyn Job,
+        window: usize,
+        rng: &mut Pcg64Mcg,
+    ) -> Option<Vec<u32>> {
+        let block = self.block(job.items(), window);
+        match self.order {
+            Order::Literal => {
+                // Other groups have run since. What is learned of the first item is forgotten at the
+                // second.
+                job.touch(block);
+                warm_up(job, Block { items: 1, ..block });
+                None
+            }
+            Order::Fixed if self.walks => {
+                job.approach(block);
+                None
+            }
+            Order::Fixed => {
+                // What the others made the predictor forget is learned again over tens of
+                // microseconds; after a pass or two, blocks of a whole group were 1 to 2 % longer in
+                // one process than in the next.
+                let half = block.repeats.div_ceil(2);
+                let passes = WARM_PASSES.saturating_sub(block.repeats).max(half);
+                (0..passes).for_each(|_| warm_up(job, block));
+                None
+            }
+            Order::Reshuffled => {
+                // In the order of the last time, which tells nothing of the new one: code that is far,
+                // and branches that were never seen, are no part of a loop over many rays.
+                warm_up(job, Block { items: block.items.div_ceil(4), ..block });
+                let order = self.new_order(job.items(), window, rng);
+                lay_out(rng, job, &order);
+                Some(order)
+            }
+        }
     }
 
     /// The block of a window. Under [`Order::Reshuffled`] its items were laid out in front.

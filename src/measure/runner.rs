@@ -1,6 +1,6 @@
 //! One contestant on its way through the rounds.
 
-use super::calibrate::{timed_until, warm_up};
+use super::calibrate::timed_until;
 use super::clock::Clock;
 use super::contestant::{Contestant, Expected};
 use super::counters::{Counters, Counts};
@@ -15,12 +15,7 @@ use super::protocol::Order;
 use super::ruler::{Reading, Ruler};
 use super::sample::Sample;
 use super::shuffle;
-use crate::job::Block;
 use crate::stats::median;
-use rand_pcg::Pcg64Mcg;
-
-/// Passes over a replayed set, timed or not, until it is known.
-const WARM_PASSES: usize = 4;
 
 /// Blocks that tell the time alone.
 const SOLO_BLOCKS: usize = 5;
@@ -103,7 +98,8 @@ impl<'a> Runner<'a> {
                 return;
             }
             let window = self.next_window(window);
-            let order = self.lay_out(window, &mut instruments.course.rng);
+            let job = self.contestant.job.as_mut();
+            let order = self.plan.lay_out(job, window, &mut instruments.course.rng);
             self.time(window, order.as_deref(), instruments);
             // The way to the block of a walk is long; only what is timed must be undisturbed.
             let undisturbed = !(self.plan.walks && self.disturbed);
@@ -122,44 +118,6 @@ impl<'a> Runner<'a> {
         }
         self.walked += 1;
         self.walked - 1
-    }
-
-    /// Brings the items into the order of the block; the new one, if it is new.
-    fn lay_out(&mut self, window: usize, rng: &mut Pcg64Mcg) -> Option<Vec<u32>> {
-        let job = self.contestant.job.as_mut();
-        match self.plan.order {
-            Order::Literal => {
-                // Other groups have run since. What is learned of the first item is forgotten at the
-                // second.
-                let block = self.plan.block(job.items(), window);
-                job.touch(block);
-                warm_up(job, Block { items: 1, ..block });
-                None
-            }
-            Order::Fixed if self.plan.walks => {
-                job.approach(self.plan.block(job.items(), window));
-                None
-            }
-            Order::Fixed => {
-                let block = self.plan.block(job.items(), window);
-                // What the others made the predictor forget is learned again over tens of
-                // microseconds; after a pass or two, blocks of a whole group were 1 to 2 % longer in
-                // one process than in the next.
-                let half = block.repeats.div_ceil(2);
-                let passes = WARM_PASSES.saturating_sub(block.repeats).max(half);
-                (0..passes).for_each(|_| warm_up(job, block));
-                None
-            }
-            Order::Reshuffled => {
-                // In the order of the last time, which tells nothing of the new one: code that is far,
-                // and branches that were never seen, are no part of a loop over many rays.
-                let block = self.plan.block(job.items(), window);
-                warm_up(job, Block { items: block.items.div_ceil(4), ..block });
-                let order = self.plan.new_order(job.items(), window, rng);
-                shuffle::lay_out(rng, job, &order);
-                Some(order)
-            }
-        }
     }
 
     fn time(&mut self, window: usize, order: Option<&[u32]>, instruments: &mut Instruments<'_>) {

@@ -94,12 +94,15 @@ fn walk_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -
     in_blocks(pass_ns as u64, protocol.block_ns)
 }
 
-/// As many as give [`IN_A_ROW`] repeats.
+/// As many as give [`IN_A_ROW`] repeats. A power of two, for a number that the clock chooses is
+/// another one in the next run, and cuts the order of the items, which is a part of what a predictor
+/// learns, in other places; so it is another one only for sets near the edge of a power.
 fn literal_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
     let items = job.items().min(PROBED_ITEMS);
     let probe = Block { first: 0, items, repeats: IN_A_ROW, literal: true };
     let item_ns = shortest_ns(job, probe, clock) as f64 / items as f64;
     let pass_ns = item_ns * job.items() as f64;
     // Not so many that some are never visited.
-    ((pass_ns / protocol.block_ns as f64).ceil() as usize).clamp(1, protocol.rounds)
+    let most = 1 << protocol.rounds.max(1).ilog2();
+    ((pass_ns / protocol.block_ns as f64).ceil() as usize).next_power_of_two().min(most)
 }

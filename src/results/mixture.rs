@@ -60,11 +60,13 @@ fn of_machine(codes: &[Row], densities: &[Row]) -> Vec<Row> {
         rows.extend(series("measured", &measured.collect::<Vec<_>>()));
         let predicted =
             points.iter().map(|(row, density, _)| (*row, *density, exits.mixed(*density)));
-        rows.extend(series("predicted", &predicted.collect::<Vec<_>>()));
+        let predicted = series("predicted", &predicted.collect::<Vec<_>>());
+        rows.extend(predicted.into_iter().map(|row| Row { crowded_share: exits.crowded, ..row }));
         rows.extend(points.iter().map(|(row, density, [median, low, high])| {
             let [mixed, mixed_low, mixed_high] = exits.mixed(*density);
             let left = [median - mixed, low - mixed_high, high - mixed_low];
-            with_cycles(point(row, "residual", *density), left)
+            let crowded_share = worst([row.crowded_share, exits.crowded]);
+            Row { crowded_share, ..with_cycles(point(row, "residual", *density), left) }
         }));
     }
     rows
@@ -81,15 +83,18 @@ struct Exits {
     hit: Figure,
     /// Mean over the exits, by their shares.
     miss: Figure,
+    /// The most of any of them.
+    crowded: Option<f64>,
 }
 
 impl Exits {
     /// By the rows of an order; `None` if there is no hit or no miss among them.
     fn of(codes: &[Row], order: &str) -> Option<Self> {
-        let own = codes.iter().filter(|row| row.order == order);
+        let own = || codes.iter().filter(|row| row.order == order);
         let parts: Vec<(u64, f64, Figure)> =
-            own.filter_map(|row| Some((row.code?, row.share?, cycles(row)?))).collect();
-        Exits::mean(&parts)
+            own().filter_map(|row| Some((row.code?, row.share?, cycles(row)?))).collect();
+        let crowded = worst(own().map(|row| row.crowded_share));
+        Exits::mean(&parts).map(|exits| Exits { crowded, ..exits })
     }
 
     /// By code, share and time.
@@ -98,7 +103,8 @@ impl Exits {
         let misses = || parts.iter().filter(|(code, ..)| *code != 0);
         let shares: f64 = misses().map(|(_, share, _)| share).sum();
         let sum = |end: usize| misses().map(|(_, share, time)| share * time[end]).sum::<f64>();
-        (shares > 0.0).then(|| Exits { hit, miss: [0, 1, 2].map(|end| sum(end) / shares) })
+        let miss = [0, 1, 2].map(|end| sum(end) / shares);
+        (shares > 0.0).then_some(Exits { hit, miss, crowded: None })
     }
 
     /// The time where that share of the pairs hits.
@@ -112,6 +118,11 @@ fn cycles(row: &Row) -> Option<Figure> {
     Some([median, row.cycles_low.unwrap_or(median), row.cycles_high.unwrap_or(median)])
 }
 
+/// What is made of times beside a neighbour is no better than the worst of them.
+fn worst(crowded_shares: impl IntoIterator<Item = Option<f64>>) -> Option<f64> {
+    crowded_shares.into_iter().flatten().reduce(f64::max)
+}
+
 /// A row of this chapter, about the same as one of b-4.2.
 fn point(row: &Row, form: &str, density: f64) -> Row {
     let mut point = row.without_clock();
@@ -119,6 +130,7 @@ fn point(row: &Row, form: &str, density: f64) -> Row {
     point.form = form.into();
     point.status = "ok".into();
     point.density = Some(density);
+    point.crowded_share = row.crowded_share;
     point
 }
 

@@ -73,6 +73,23 @@ fn the_codes_predict_every_order_and_the_residual_is_what_is_left() {
 }
 
 #[test]
+fn a_neighbour_of_a_part_is_one_of_what_is_made_of_it() {
+    let mut results = invented();
+    for (chapter, share) in results.chapters.iter_mut().zip([0.5, 0.25]) {
+        let is_it = |row: &&mut Row| row.order == "fixed" && row.density.is_none_or(|d| d == 0.5);
+        chapter.rows.iter_mut().filter(is_it).for_each(|row| row.crowded_share = Some(share));
+    }
+    let chapter = mixture(&results).expect("both experiments are there");
+    let shares = |order, density| {
+        ["measured", "predicted", "residual"]
+            .map(|form| find(&chapter, form, order, density).crowded_share)
+    };
+    assert_eq!(shares("fixed", 0.5), [Some(0.25), Some(0.5), Some(0.5)]);
+    assert_eq!(shares("fixed", 1.0), [None, Some(0.5), Some(0.5)]);
+    assert_eq!(shares("literal", 0.5), [None; 3]);
+}
+
+#[test]
 fn series_are_divided_by_their_own_time_without_hits() {
     let chapter = mixture(&invented()).expect("both experiments are there");
     let relative = find(&chapter, "predicted", "literal", 1.0);

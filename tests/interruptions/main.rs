@@ -36,6 +36,25 @@ fn begun(place: &Place, more: &[&str], id: &str, number: usize) -> Child {
     child
 }
 
+/// A run that was killed in its first experiment, with some pieces kept and a last line that is cut.
+fn cut(place: &Place) {
+    assert!(kill(begun(place, &["--profile", "standard"], "pairs", 20)));
+    let journal = place.journal("out", "pairs");
+    let text = fs::read_to_string(&journal).expect("it was waited for");
+    fs::write(&journal, &text[..text.trim_end().len() - 40]).expect("ours");
+}
+
+/// Such a run, gone on with until it has dropped the cut piece and measures it again.
+#[cfg(unix)]
+fn gone_on_with(place: &Place) -> Child {
+    cut(place);
+    let journal = place.journal("out", "pairs");
+    let before = lines(&journal);
+    let child = place.run("out", &["--profile", "standard", "--resume"]).spawn();
+    wait_for("a journal without the cut piece", || lines(&journal) < before);
+    child.expect("the program starts")
+}
+
 /// Kills a run; whether it was still there.
 fn kill(mut child: Child) -> bool {
     let here = child.try_wait().expect("it is our child").is_none();
@@ -90,10 +109,7 @@ fn killed_at_any_moment_and_gone_on_with() {
 fn a_cut_last_line_is_measured_again() {
     let _turn = turn();
     let place = Place::new("cut");
-    assert!(kill(begun(&place, &["--profile", "standard"], "pairs", 10)));
-    let journal = place.journal("out", "pairs");
-    let text = fs::read_to_string(&journal).expect("it was waited for");
-    fs::write(&journal, &text[..text.trim_end().len() - 40]).expect("ours");
+    cut(&place);
     let kept = place.read_everything("out");
     assert!(!kept.is_empty());
     place.finish("out", &["--resume", "--profile", "standard"]);
@@ -106,7 +122,7 @@ fn a_cut_last_line_is_measured_again() {
 fn what_differs_is_refused_by_name_and_nothing_is_touched() {
     let _turn = turn();
     let place = Place::new("refused");
-    assert!(kill(begun(&place, &["--profile", "standard"], "pairs", 10)));
+    assert!(kill(begun(&place, &["--profile", "standard"], "pairs", 20)));
     let journal = place.journal("out", "pairs");
     // Without the piece that it was killed in, which is dropped as soon as a run goes on.
     let whole = read_journal(&journal).expect("it can be read").expect("it was waited for");
@@ -163,9 +179,12 @@ fn one_run_at_a_time() {
 #[test]
 fn interrupted_it_saves_shows_and_says_how_to_go_on() {
     let _turn = turn();
-    for (signal, id, number) in [("-INT", "pairs", 10), ("-TERM", "codes", 1)] {
+    for (signal, id) in [("-INT", "pairs"), ("-TERM", "codes")] {
         let place = Place::new(&format!("signal{signal}"));
-        let child = begun(&place, &["--profile", "standard"], id, number);
+        let child = match id {
+            "pairs" => gone_on_with(&place),
+            _ => begun(&place, &["--profile", "standard"], id, 1),
+        };
         let mut kill = std::process::Command::new("kill");
         assert!(kill.arg(signal).arg(child.id().to_string()).status().expect("a kill").success());
         let output = child.wait_with_output().expect("it is our child");
@@ -199,7 +218,7 @@ fn an_older_run_in_the_same_folder_does_not_count() {
     let place = Place::new("older");
     place.finish("out", &[]);
     let older = place.rows("out");
-    assert!(kill(begun(&place, &[], "pairs", 2)));
+    assert!(kill(begun(&place, &[], "pairs", 20)));
     for id in experiments() {
         assert!(place.journal("out", id).exists(), "{id} counts as finished");
     }

@@ -13,14 +13,36 @@ use ray_test::table::{Row, TableError};
 #[derive(Default)]
 pub struct Memory(pub Vec<(String, Vec<Row>)>);
 
-impl Keep for Memory {
-    fn kept(&self, piece: &str) -> Option<Vec<Row>> {
-        self.0.iter().find(|(name, _)| name == piece).map(|(_, rows)| rows.clone())
+/// The same while a run goes on; it hands out what was there before.
+pub struct OfRun<'a> {
+    memory: &'a mut Memory,
+    before: Vec<(String, Vec<Row>)>,
+}
+
+impl<'a> OfRun<'a> {
+    pub fn new(memory: &'a mut Memory) -> Self {
+        let before = memory.0.clone();
+        OfRun { memory, before }
+    }
+}
+
+impl Keep for OfRun<'_> {
+    fn is_kept(&self, piece: &str) -> bool {
+        self.before.iter().any(|(name, _)| name == piece)
+    }
+
+    fn hand_out(&mut self, piece: &str) -> Option<Vec<Row>> {
+        let place = self.before.iter().position(|(name, _)| name == piece);
+        place.map(|place| self.before.remove(place).1)
+    }
+
+    fn hand_out_rest(&mut self) -> Vec<Row> {
+        self.before.drain(..).flat_map(|(_, rows)| rows).collect()
     }
 
     fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {
-        assert_eq!(self.kept(piece), None, "{piece} is kept twice");
-        self.0.push((piece.to_owned(), rows.to_owned()));
+        assert!(self.memory.0.iter().all(|(name, _)| name != piece), "{piece} is kept twice");
+        self.memory.0.push((piece.to_owned(), rows.to_owned()));
         Ok(())
     }
 }
@@ -65,8 +87,8 @@ pub fn attempt(
 }
 
 /// The same in 16 rounds, where it must succeed.
-pub fn run_until(text: &str, blocks: usize, keep: &mut dyn Keep) -> Outcome {
-    attempt(text, 16, blocks, keep).expect("a workload that can be drawn")
+pub fn run_until(text: &str, blocks: usize, memory: &mut Memory) -> Outcome {
+    attempt(text, 16, blocks, &mut OfRun::new(memory)).expect("a workload that can be drawn")
 }
 
 /// To its end, in so many rounds.

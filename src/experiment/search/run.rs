@@ -90,7 +90,7 @@ fn of_scene(
         let mut members: Vec<Member<'_>> =
             subjects.iter().filter(of_class).map(Member::of).collect();
         let name = |kind: &RayKind| format!("{scene} {} {class:?}", kind.word());
-        let is_kept = workload.rays.iter().all(|kind| bench.keep.kept(&name(kind)).is_some());
+        let is_kept = workload.rays.iter().all(|kind| bench.keep.is_kept(&name(kind)));
         for member in members.iter_mut().filter(|member| member.subject.lacks().is_none()) {
             member.built = member.subject.build(&triangles);
             if !is_kept {
