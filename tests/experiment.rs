@@ -152,6 +152,19 @@ fn an_interrupted_run_goes_on_where_it_was() {
     }
 }
 
+/// Priced forms of a test of rays have nothing to say about points; that is known, and kept.
+#[test]
+fn what_cannot_be_priced_is_kept_as_well() {
+    let text = "id = 'test'\ntitle = 'A test'\nquestion = 'Does it run?'\nwhy = 'It must.'\n\
+        variants = ['^moller1/f32/single/sse2/early/last/plain/t(/priced=dot(-control)?)?$']\n\
+        [workload]\nkind = 'points'\ndensity = [0.5]\norders = ['fixed']\ncount = 40\n";
+    let mut memory = Memory::default();
+    let rows = run_until(text, usize::MAX, &mut memory).rows;
+    assert!(rows.len() == 3 && rows.iter().all(|row| row.status == "skipped"), "{rows:?}");
+    assert_eq!(memory.0, [("cell 0 fixed 0.5".to_owned(), rows.clone())]);
+    assert!(run_until(text, usize::MAX, &mut memory).rows == rows);
+}
+
 #[test]
 fn rows_of_another_workload_are_refused() {
     let text = pairs("'^moller1/f32/single/sse2/early/last/plain/t$'", "");

@@ -41,13 +41,17 @@ fn listen() {
     // Whoever starts it by `nohup` wants it to outlast the terminal.
     let hears = |signal: &i32| *signal != SIGHUP || !is_ignored(*signal);
     let signals: Vec<i32> = [SIGINT, SIGTERM, SIGHUP].into_iter().filter(hears).collect();
+    let (registered, when) = std::sync::mpsc::channel();
     let work = move || {
         // In the thread: without one, signals end the program as they always do.
         let Ok(mut signals) = Signals::new(signals) else { return };
+        let _ = registered.send(());
         signals.forever().for_each(|_| told());
     };
     // Without a thread, the same.
     let _ = std::thread::Builder::new().name("signals".to_owned()).spawn(work);
+    // Until then a signal would still end the program; where there is no thread, this ends as well.
+    let _ = when.recv();
 }
 
 #[cfg(not(unix))]

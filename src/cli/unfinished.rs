@@ -1,6 +1,5 @@
 //! Runs that are not finished: their journal, and what is said of them.
 
-use std::collections::BTreeMap;
 use std::ffi::{OsStr, OsString};
 use std::fmt::Write as _;
 use std::io::Write;
@@ -20,7 +19,7 @@ use crate::table::{Journal, Journaled, Row, TableError};
 /// A journal, with what it held when the run was gone on with and that was not handed out yet.
 pub struct Keeper {
     journal: Journal,
-    before: BTreeMap<String, Vec<Row>>,
+    before: Vec<(String, Vec<Row>)>,
     rounds: RoundsLog,
 }
 
@@ -31,21 +30,22 @@ impl Keeper {
     /// When it cannot be written.
     pub fn begin(path: &Path, before: Journaled, rounds: RoundsLog) -> Result<Self, TableError> {
         let journal = Journal::begin(path, &before)?;
-        Ok(Keeper { journal, before: before.pieces.into_iter().collect(), rounds })
+        Ok(Keeper { journal, before: before.pieces, rounds })
     }
 }
 
 impl Keep for Keeper {
     fn is_kept(&self, piece: &str) -> bool {
-        self.before.contains_key(piece)
+        self.before.iter().any(|(name, _)| name == piece)
     }
 
     fn hand_out(&mut self, piece: &str) -> Option<Vec<Row>> {
-        self.before.remove(piece)
+        let place = self.before.iter().position(|(name, _)| name == piece);
+        place.map(|place| self.before.remove(place).1)
     }
 
     fn hand_out_rest(&mut self) -> Vec<Row> {
-        std::mem::take(&mut self.before).into_values().flatten().collect()
+        self.before.drain(..).flat_map(|(_, rows)| rows).collect()
     }
 
     fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {

@@ -101,6 +101,7 @@ pub fn prepare(
     if bench.cancel.load(Ordering::Relaxed) {
         // Groups of fewer are others than those that were kept: as if the cell was not begun.
         measured.rows.clear();
+        measured.wrong.clear();
         ready.clear();
     } else if let Some(cell) = kept_as {
         let timed = |place: &usize| ready.iter().any(|(other, _)| other == place);

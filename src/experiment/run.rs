@@ -107,8 +107,9 @@ fn run_cells(plan: &Plan, bench: &mut Bench<'_>, outcome: &mut Outcome) -> Resul
         let density = density.map_or(String::new(), |density| format!(" {density}"));
         // The number alone would do; the rest is for whoever reads the journal.
         let name = format!("cell {number} {order}{density}");
-        pieces.extend(prepare_cell(plan, (&scene, order), bench, &name, &mut cells)?);
-        scenes.push((scene, name));
+        let (new, whole) = prepare_cell(plan, (&scene, order), bench, name, &mut cells)?;
+        pieces.extend(new);
+        scenes.push((scene, whole));
         if together::is_enough(&pieces, &cells, bench.rounds) {
             together::measure(std::mem::take(&mut pieces), &mut cells, bench)?;
             finish_cells(plan, (&mut cells, &mut scenes), bench, outcome)?;
@@ -119,26 +120,28 @@ fn run_cells(plan: &Plan, bench: &mut Bench<'_>, outcome: &mut Outcome) -> Resul
 }
 
 /// Prepares a cell. One with priced forms is kept in one piece, since prices are made of all its
-/// samples.
+/// samples; gives the name under which that is still to be done.
 fn prepare_cell(
     plan: &Plan,
     (scene, order): (&Scene, Order),
     bench: &mut Bench<'_>,
-    name: &str,
+    name: String,
     cells: &mut Vec<Cell>,
-) -> Result<Vec<Piece>, Trouble> {
+) -> Result<(Vec<Piece>, Option<String>), Trouble> {
     let (id, variants) = (&plan.experiment.id, &plan.variants);
     let in_one = has_prices(plan);
-    if in_one && let Some(rows) = bench.take_cell(name, scene.facts.hash)? {
+    if in_one && let Some(rows) = bench.take_cell(&name, scene.facts.hash)? {
         bench.pass_over(variants.len());
         let wrong = rows.iter().filter(|row| row.status == "wrong-result");
         let wrong = wrong.map(|row| row.id.clone()).collect();
         let measured = Measured { rows, figures: Vec::new(), wrong };
         cells.push(Cell::new(scene, order, measured));
-        return Ok(Vec::new());
+        return Ok((Vec::new(), None));
     }
-    let kept_as = (!in_one).then_some(name);
-    cells::prepare(id, variants, plan.reference, (scene, order), bench, kept_as, cells)
+    let kept_as = (!in_one).then_some(name.as_str());
+    let pieces =
+        cells::prepare(id, variants, plan.reference, (scene, order), bench, kept_as, cells)?;
+    Ok((pieces, in_one.then_some(name)))
 }
 
 fn has_prices(plan: &Plan) -> bool {
@@ -148,13 +151,13 @@ fn has_prices(plan: &Plan) -> bool {
 /// What is made of all rows and samples of each cell.
 fn finish_cells(
     plan: &Plan,
-    (cells, scenes): (&mut Vec<Cell>, &mut Vec<(Scene, String)>),
+    (cells, scenes): (&mut Vec<Cell>, &mut Vec<(Scene, Option<String>)>),
     bench: &mut Bench<'_>,
     outcome: &mut Outcome,
 ) -> Result<(), Trouble> {
-    for (cell, (scene, name)) in cells.drain(..).zip(scenes.drain(..)) {
+    for (cell, (scene, whole)) in cells.drain(..).zip(scenes.drain(..)) {
         let mut measured = cell.measured;
-        if has_prices(plan) && !measured.figures.is_empty() {
+        if let Some(name) = whole {
             let priced = prices::rows(&measured.rows, &measured.figures, &plan.variants);
             measured.rows.extend(priced);
             if !bench.cancel.load(Ordering::Relaxed) {

@@ -51,17 +51,24 @@ pub fn measure(
         .map(|(piece, protocol)| Group { contestants: &mut piece.contestants, protocol })
         .collect();
     let reports = bench.measure_together(&mut groups)?;
+    let cut: Vec<bool> = reports.iter().map(|report| report.cancelled).collect();
     for (piece, report) in pieces.iter().zip(reports) {
         put(piece, report, &mut cells[piece.cell]);
     }
-    let names: Vec<(usize, Vec<usize>, Option<String>)> =
-        pieces.iter_mut().map(|p| (p.cell, p.places.clone(), p.name.take())).collect();
+    // Of what was cut short no row is final.
+    let whole = pieces
+        .iter_mut()
+        .zip(&cut)
+        .map(|(piece, cut)| (piece.cell, piece.places.clone(), piece.name.take().filter(|_| !cut)));
+    let whole: Vec<(usize, Vec<usize>, Option<String>)> = whole.collect();
     if bench.calls {
         calls::measure(pieces, cells, bench)?;
+        if bench.cancel.load(Ordering::Relaxed) {
+            return Ok(());
+        }
     }
-    // The rows are final now, if nothing cut the measuring short.
-    for (cell, places, name) in names {
-        if let Some(name) = name.filter(|_| !bench.cancel.load(Ordering::Relaxed)) {
+    for (cell, places, name) in whole {
+        if let Some(name) = name {
             bench.keep_piece(&name, &places, &cells[cell].measured.rows)?;
         }
     }

@@ -1,6 +1,7 @@
 //! The `[workload]` table of an experiment.
 
 use serde::Deserialize;
+use std::fmt::Debug;
 
 use super::memory_workload::MemoryWorkload;
 use super::nearest_workload::NearestWorkload;
@@ -181,8 +182,15 @@ pub(super) fn in_range(key: &str, value: usize, least: usize) -> Result<(), Stri
     Err(format!("workload.{key}: {value} is not allowed; allowed: {least} to {MOST}"))
 }
 
-pub(super) fn some<T>(key: &str, list: &[T]) -> Result<(), String> {
-    if list.is_empty() { Err(format!("workload.{key}: at least one is needed")) } else { Ok(()) }
+/// Whether a list has something in it, and nothing twice: rows are kept under such names.
+pub(super) fn some<T: PartialEq + Debug>(key: &str, list: &[T]) -> Result<(), String> {
+    if list.is_empty() {
+        return Err(format!("workload.{key}: at least one is needed"));
+    }
+    match list.iter().enumerate().find(|(place, one)| list[..*place].contains(one)) {
+        Some((_, one)) => Err(format!("workload.{key}: {one:?} stands twice; allowed: each once")),
+        None => Ok(()),
+    }
 }
 
 fn shares(density: &[f64]) -> Result<(), String> {

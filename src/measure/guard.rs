@@ -4,6 +4,7 @@
 use super::calibrate::timed;
 use super::clock::Clock;
 use super::plan::Plan;
+use super::protocol::Order;
 use crate::job::{Block, Job};
 use crate::stats::{log_ratios, median, sign_interval};
 use rand_pcg::Pcg64Mcg;
@@ -29,6 +30,10 @@ pub(super) fn doubling(
 ) -> Option<f64> {
     let whole = plan.block(job.items(), plan.trial_window());
     let (half, share) = half_of(whole)?;
+    // Never seen before, the first of a few rays takes longest: the others meet what it has taught. Whether
+    // work was left out is no matter of the order.
+    let order = if plan.order == Order::Reshuffled { Order::Fixed } else { plan.order };
+    let plan = Plan { order, ..*plan };
     let mut ns = |block| {
         plan.lay_out(job, plan.trial_window(), rng);
         timed(job, block, clock).0
@@ -71,7 +76,6 @@ pub(super) fn is_like_nothing(own: &[f64], lanes: usize, empty: &[f64], noise_fl
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measure::protocol::Order;
     use crate::measure::scripted::{Call, Script, ScriptedJob};
     use rand::SeedableRng;
     use std::rc::Rc;
@@ -102,14 +106,14 @@ mod tests {
         }
     }
 
-    /// Begun after less, a set of few passes had taken 1.33 times the time for twice the work.
+    /// Known less, sets of few passes and of few rays had taken 1.3 times the time for twice the work.
     #[test]
-    fn a_half_is_begun_as_blocks_are() {
+    fn a_half_is_known_by_heart() {
         let script = Script::default();
         let mut job = ScriptedJob::new(&script, 100, 10);
         let calls = Rc::clone(&job.calls);
         let rng = &mut Pcg64Mcg::seed_from_u64(1);
-        let orders = [(Order::Fixed, 3, vec![100, 100]), (Order::Reshuffled, 1, vec![25])];
+        let orders = [(Order::Fixed, 3, vec![100, 100]), (Order::Reshuffled, 1, vec![100; 3])];
         for (order, repeats, warming) in orders {
             let plan = Plan { order, windows: 1, repeats, walks: false };
             calls.borrow_mut().clear();

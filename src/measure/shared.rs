@@ -5,6 +5,7 @@ use super::clock::Clock;
 use super::contestant::Contestant;
 use super::plan::{IN_A_ROW, in_blocks};
 use super::protocol::{Order, Pace, Protocol};
+use super::windows::LEAST_VISITS;
 use crate::job::{Block, Job};
 
 /// Items that are looked at to guess what an item costs under [`Order::Literal`] and on a walk.
@@ -94,15 +95,23 @@ fn walk_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -
     in_blocks(pass_ns as u64, protocol.block_ns)
 }
 
-/// As many as give [`IN_A_ROW`] repeats. A power of two, for a number that the clock chooses is
-/// another one in the next run, and cuts the order of the items, which is a part of what a predictor
-/// learns, in other places; so it is another one only for sets near the edge of a power.
+/// About as many as give [`IN_A_ROW`] repeats, a power of two: a number that the clock chooses is another
+/// one in the next run, and cuts the order of the items, a part of which a predictor learns, in other
+/// places; a power of two is another one only for sets near the edge between two of them.
 fn literal_windows(job: &mut dyn Job, protocol: &Protocol, clock: &mut dyn Clock) -> usize {
     let items = job.items().min(PROBED_ITEMS);
     let probe = Block { first: 0, items, repeats: IN_A_ROW, literal: true };
     let item_ns = shortest_ns(job, probe, clock) as f64 / items as f64;
     let pass_ns = item_ns * job.items() as f64;
+    let blocks = pass_ns / protocol.block_ns as f64;
+    let power = |number: f64| 1 << (number.max(1.0).log2().round() as u32).min(usize::BITS - 2);
+    // No more than can be levelled, unless blocks would be four times as long as they should be.
+    let levelled = power_below(protocol.rounds / LEAST_VISITS).max(power(blocks / 4.0));
     // Not so many that some are never visited.
-    let most = 1 << protocol.rounds.max(1).ilog2();
-    ((pass_ns / protocol.block_ns as f64).ceil() as usize).next_power_of_two().min(most)
+    power(blocks).min(levelled).min(power_below(protocol.rounds))
+}
+
+/// The largest power of two that is not larger; 1 for 0.
+fn power_below(number: usize) -> usize {
+    1 << number.max(1).ilog2()
 }

@@ -13,7 +13,7 @@ use crate::stats::median;
 /// Visits of a window from which on its median is taken for what it takes. The intervals are those
 /// of independent samples; with eight visits they are too narrow by a sixteenth at most (one of
 /// eight degrees of freedom is spent), with the dozens that are usual by a hundredth.
-const LEAST_VISITS: usize = 8;
+pub(super) const LEAST_VISITS: usize = 8;
 
 /// Levels the samples of one contestant, if each of its windows was visited often enough.
 pub(super) fn level(runner: &mut Runner<'_>) {

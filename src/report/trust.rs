@@ -87,7 +87,9 @@ fn dirty(rows: &[&Row]) -> Option<Check> {
 }
 
 fn crowded(rows: &[&Row]) -> Option<Check> {
-    let shares: Vec<f64> = rows.iter().filter_map(|row| row.crowded_share).collect();
+    // What is made of other rows has no rounds, and is not counted twice.
+    let measured = rows.iter().filter(|row| row.rounds.is_some());
+    let shares: Vec<f64> = measured.filter_map(|row| row.crowded_share).collect();
     let some = shares.iter().filter(|share| **share > 0.0).count();
     let worst = shares.iter().copied().fold(0.0, f64::max);
     (!shares.is_empty()).then(|| Check {

@@ -141,9 +141,12 @@ fn with_cycles(row: Row, [median, low, high]: Figure) -> Row {
 
 /// Rows over the density, with the time over that at density 0.
 fn series(form: &str, points: &[(&Row, f64, Figure)]) -> Vec<Row> {
-    let at_zero = points.iter().find(|(_, density, _)| *density == 0.0).map(|(.., time)| *time);
+    let first = points.iter().find(|(_, density, _)| *density == 0.0);
+    let at_zero = first.map(|(.., time)| *time);
+    let crowded_at_zero = first.and_then(|(row, ..)| row.crowded_share);
     let row = |(row, density, time): &(&Row, f64, Figure)| {
-        let row = with_cycles(point(row, form, *density), *time);
+        let crowded_share = worst([row.crowded_share, crowded_at_zero]);
+        let row = Row { crowded_share, ..with_cycles(point(row, form, *density), *time) };
         with_ratio(row, *time, at_zero)
     };
     points.iter().map(row).collect()

@@ -87,6 +87,11 @@ fn a_neighbour_of_a_part_is_one_of_what_is_made_of_it() {
     assert_eq!(shares("fixed", 0.5), [Some(0.25), Some(0.5), Some(0.5)]);
     assert_eq!(shares("fixed", 1.0), [None, Some(0.5), Some(0.5)]);
     assert_eq!(shares("literal", 0.5), [None; 3]);
+    // All are divided by the time at density 0.
+    let is_it = |row: &&mut Row| row.order == "literal" && row.density == Some(0.0);
+    results.chapters[1].rows.iter_mut().filter(is_it).for_each(|r| r.crowded_share = Some(1.0));
+    let chapter = mixture(&results).expect("both experiments are there");
+    assert_eq!(find(&chapter, "measured", "literal", 0.5).crowded_share, Some(1.0));
 }
 
 #[test]

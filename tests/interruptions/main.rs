@@ -36,10 +36,10 @@ fn begun(place: &Place, more: &[&str], id: &str, number: usize) -> Child {
     child
 }
 
-/// A run that was killed in its first experiment, with some pieces kept and a last line that is cut.
+/// A run that was killed between two pieces of an experiment, the last line of what it kept cut.
 fn cut(place: &Place) {
-    assert!(kill(begun(place, &["--profile", "standard"], "pairs", 20)));
-    let journal = place.journal("out", "pairs");
+    assert!(kill(begun(place, &["--profile", "standard"], "searches", 5)));
+    let journal = place.journal("out", "searches");
     let text = fs::read_to_string(&journal).expect("it was waited for");
     fs::write(&journal, &text[..text.trim_end().len() - 40]).expect("ours");
 }
@@ -48,7 +48,7 @@ fn cut(place: &Place) {
 #[cfg(unix)]
 fn gone_on_with(place: &Place) -> Child {
     cut(place);
-    let journal = place.journal("out", "pairs");
+    let journal = place.journal("out", "searches");
     let before = lines(&journal);
     let child = place.run("out", &["--profile", "standard", "--resume"]).spawn();
     wait_for("a journal without the cut piece", || lines(&journal) < before);
@@ -122,8 +122,8 @@ fn a_cut_last_line_is_measured_again() {
 fn what_differs_is_refused_by_name_and_nothing_is_touched() {
     let _turn = turn();
     let place = Place::new("refused");
-    assert!(kill(begun(&place, &["--profile", "standard"], "pairs", 20)));
-    let journal = place.journal("out", "pairs");
+    assert!(kill(begun(&place, &["--profile", "standard"], "searches", 5)));
+    let journal = place.journal("out", "searches");
     // Without the piece that it was killed in, which is dropped as soon as a run goes on.
     let whole = read_journal(&journal).expect("it can be read").expect("it was waited for");
     Journal::begin(&journal, &whole).expect("ours");
@@ -149,7 +149,7 @@ fn what_differs_is_refused_by_name_and_nothing_is_touched() {
     tampered("\"machine\":\"", "\"machine\":\"x", &["another machine", "'x"]);
     tampered("\"binary\":\"", "\"binary\":\"x", &["another binary", "'x"]);
     tampered("\"workload_hash\":\"", "\"workload_hash\":\"x", &["workload_hash", "'x", "now"]);
-    tampered("\"tests\":60", "\"tests\":-60", &["rows.ndjson", "line 2", "tests"]);
+    tampered("\"tests\":", "\"tests\":-", &["rows.ndjson", "line 2", "tests"]);
     fs::write(&journal, &text).expect("ours");
     let config = place.path("pairs.toml");
     let changed = fs::read_to_string(&config).expect("ours").replace("0.25", "0.75");
@@ -179,10 +179,10 @@ fn one_run_at_a_time() {
 #[test]
 fn interrupted_it_saves_shows_and_says_how_to_go_on() {
     let _turn = turn();
-    for (signal, id) in [("-INT", "pairs"), ("-TERM", "codes")] {
+    for (signal, id) in [("-INT", "searches"), ("-TERM", "codes")] {
         let place = Place::new(&format!("signal{signal}"));
         let child = match id {
-            "pairs" => gone_on_with(&place),
+            "searches" => gone_on_with(&place),
             _ => begun(&place, &["--profile", "standard"], id, 1),
         };
         let mut kill = std::process::Command::new("kill");
@@ -200,6 +200,9 @@ fn interrupted_it_saves_shows_and_says_how_to_go_on() {
         let kept = place.read_everything("out");
         let run = read_json(&place.path("out").join(id).join("rows.json")).expect("it was saved");
         assert_eq!(run.environment["complete"], false);
+        // What it had before it was gone on with is there, and nothing but that is kept.
+        assert_eq!(kept.is_empty(), id == "codes", "{message}");
+        assert_taken(&kept, &run.rows, signal);
         // On a machine that is never quiet nothing has a time.
         let is_timed = run.rows.iter().any(|row| row.ns_per_test.is_some());
         assert_eq!(shown.contains("ns_per_test"), is_timed, "{shown}");
@@ -218,7 +221,7 @@ fn an_older_run_in_the_same_folder_does_not_count() {
     let place = Place::new("older");
     place.finish("out", &[]);
     let older = place.rows("out");
-    assert!(kill(begun(&place, &[], "pairs", 20)));
+    assert!(kill(begun(&place, &[], "pairs", 2)));
     for id in experiments() {
         assert!(place.journal("out", id).exists(), "{id} counts as finished");
     }

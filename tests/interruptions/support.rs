@@ -8,7 +8,7 @@ use std::time::Duration;
 use ray_test::table::{Row, read_csv, read_journal, read_json, read_rounds};
 
 /// The experiments: id, variants, workload. Of each kind that has pieces of its own, one.
-const EXPERIMENTS: [(&str, &str, &str); 4] = [
+const EXPERIMENTS: [(&str, &str, &str); 5] = [
     (
         // Two groups of listings, and one that cannot be asked; and a figure that has two rows in one
         // place, which is no reason to lose what was measured.
@@ -19,6 +19,14 @@ const EXPERIMENTS: [(&str, &str, &str); 4] = [
          orders = ['literal', 'fixed', 'reshuffled']\nseconds_of_tests = 1000.0\n\
          [[figure]]\nfile = 'pairs'\nkind = 'bars'\nquestion = 'Which is the fastest?'\n\
          x = 'kernel'\ny = 'ns_per_test'\npanels = 'order'",
+    ),
+    (
+        // Groups that take no turns, so that there are pieces before the end.
+        "searches",
+        "",
+        "kind = 'structures'\nscenes = ['soup:20', 'soup:40', 'terrain:3']\n\
+         rays = ['primary', 'random']\nwidth = 16\nlist_tests = 5000\n\
+         kernels = ['moller-trumbore', 'wald']\nstructures = ['list']",
     ),
     (
         "codes",

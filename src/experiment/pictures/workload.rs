@@ -24,7 +24,7 @@ pub struct PicturesWorkload {
 }
 
 /// Scenes in one structure.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PictureSet {
     /// What the triangles are in.
@@ -37,7 +37,7 @@ pub struct PictureSet {
 }
 
 /// Which pixels get a ray.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sampling {
     /// Columns and rows of a cell; its corners get rays.

@@ -62,8 +62,11 @@ pub fn run(
     {
         volumes::run(plan, &workload.kernels[0], bounded, bench, &mut measured)?;
     }
-    let derived = derived::rows(&mut measured.rows);
-    measured.rows.extend(derived);
+    // Of some sizes only, a growth would be another one.
+    if !bench.cancel.load(Ordering::Relaxed) {
+        let derived = derived::rows(&mut measured.rows);
+        measured.rows.extend(derived);
+    }
     Ok(measured)
 }
 
