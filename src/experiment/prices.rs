@@ -48,8 +48,11 @@ fn put_price(row: &mut Row, twice_ns: &[f64], control_ns: &[f64], literal_ns: &[
     let are_pairs = [control_ns, literal_ns].iter().all(|other| other.len() == twice_ns.len());
     row.price = median(&shares).filter(|_| are_pairs);
     if row.price.is_none() {
-        row.status = "not-measured".into();
-        row.reason = "the forms that tell the price have no rounds in common".into();
+        // What is the matter with the literal form is the matter with its price.
+        if row.status == "ok" {
+            row.status = "not-measured".into();
+            row.reason = "the forms that tell the price have no rounds in common".into();
+        }
         return;
     }
     let interval = sign_interval(&shares);
