@@ -23,60 +23,25 @@ pub fn on_own_stack(work: fn() -> ExitCode) -> ExitCode {
     }
 }
 
-/// Where glibc looks for its settings, and the one that gives whatever takes a page or more pages of its
-/// own. Smaller things lie where the clock has put them (a longer number is a longer text), and pushed
-/// data to other pages; by which a group of packets in registers had one kernel of eighteen that was 1 to
-/// 4 % slower, another one in each process (a Zen 4 guesses the way of its first cache by the page).
-#[cfg(target_os = "linux")]
-const TUNABLES: &str = "GLIBC_TUNABLES";
-#[cfg(target_os = "linux")]
-const THRESHOLD: &str = "glibc.malloc.mmap_threshold";
-
-/// Starts the program again with addresses that are not drawn, and data on pages of their own, if the
-/// system lets it; otherwise all stays as it is, and the environment of the results says so (`aslr`).
+/// Starts the program again with addresses that are not drawn, if the system lets it; otherwise all
+/// stays as it is, and the environment of the results says so (`aslr`).
 #[cfg(target_os = "linux")]
 pub fn settle() {
     use nix::sys::personality::{Persona, get, set};
     use std::os::unix::process::CommandExt;
 
     let (Ok(persona), Ok(program)) = (get(), std::env::current_exe()) else { return };
-    let tunables = std::env::var(TUNABLES).unwrap_or_default();
-    if persona.contains(Persona::ADDR_NO_RANDOMIZE) && tunables.contains(THRESHOLD) {
+    if persona.contains(Persona::ADDR_NO_RANDOMIZE) {
         return;
     }
     if set(persona | Persona::ADDR_NO_RANDOMIZE).is_ok() {
         let mut arguments = std::env::args_os();
         let name = arguments.next().unwrap_or_else(|| program.clone().into());
-        let mut again = std::process::Command::new(program);
-        again.env(TUNABLES, with_threshold(tunables));
         // Comes back only if it failed.
-        let _error = again.arg0(name).args(arguments).exec();
-    }
-}
-
-/// Whoever sets it, knows better.
-#[cfg(target_os = "linux")]
-fn with_threshold(tunables: String) -> String {
-    match tunables.as_str() {
-        set if set.contains(THRESHOLD) => tunables,
-        "" => format!("{THRESHOLD}=4096"),
-        others => format!("{others}:{THRESHOLD}=4096"),
+        let _error = std::process::Command::new(program).arg0(name).args(arguments).exec();
     }
 }
 
 /// Other systems are not asked.
 #[cfg(not(target_os = "linux"))]
 pub fn settle() {}
-
-#[cfg(all(test, target_os = "linux"))]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn other_tunables_stay() {
-        let with = |text: &str| with_threshold(text.to_owned());
-        assert_eq!(with(""), "glibc.malloc.mmap_threshold=4096");
-        assert_eq!(with("glibc.malloc.check=1"), format!("glibc.malloc.check=1:{}", with("")));
-        assert_eq!(with("glibc.malloc.mmap_threshold=1"), "glibc.malloc.mmap_threshold=1");
-    }
-}

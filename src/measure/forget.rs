@@ -3,8 +3,7 @@
 /// Something that takes the place of a kernel's code in the caches of instructions and of its
 /// branches in the predictor.
 pub trait Forget {
-    /// Run before every cold call of the contestant `id`, outside of the timed window; without an
-    /// id, of all of them.
+    /// Run before every cold call of the contestant `id`, outside of the timed window.
     fn forget(&mut self, id: &str);
 }
 

@@ -37,7 +37,7 @@ pub struct Surroundings<'a> {
     pub disturbance: &'a mut dyn Disturbance,
     /// Counts cycles, instructions and mispredictions where the system lets it.
     pub counters: &'a mut dyn Counters,
-    /// Makes the processor forget; run before cold blocks, and between turns of a reshuffled order.
+    /// Makes the processor forget; run before cold blocks only.
     pub forget: &'a mut dyn Forget,
     /// Tells the length of a cycle, and whether the core is shared.
     pub ruler: &'a mut dyn Ruler,
@@ -74,12 +74,6 @@ pub struct Group<'a> {
 
 /// How often a processor without a neighbour is looked for while groups take turns.
 const SETTLES: usize = 8;
-
-/// Turns after which the processor is made to forget what groups in a new order every time have taught
-/// it all the same: something stays from turn to turn, and settles in another way in each process.
-/// Without it 66 to 69 of 72 cells of `groups` agreed within 1 % from run to run (Zen 4), with it 71
-/// or all.
-const KEPT_TURNS: usize = 4;
 
 /// Measures a group: calibrates each contestant once, then runs rounds of one timed block each.
 /// A contestant whose blocks do not find what its items find one by one, or that a guard finds to
@@ -126,9 +120,6 @@ pub fn measure_groups(
         for group in &mut groups {
             if others {
                 group.course.look_again();
-            }
-            if others && group.is_reshuffled() && turn % KEPT_TURNS == 0 {
-                surroundings.forget.forget("");
             }
             let until = group.planned_rounds * (turn + 1) / turns;
             group.go_on(until, surroundings, &mut progress);

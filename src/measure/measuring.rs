@@ -84,10 +84,6 @@ impl<'a> Measuring<'a> {
         }
     }
 
-    pub fn is_reshuffled(&self) -> bool {
-        self.protocol.order == Order::Reshuffled && self.protocol.pace == Pace::Throughput
-    }
-
     pub fn planned_blocks(&self) -> usize {
         self.planned_rounds * self.runners.len()
     }
