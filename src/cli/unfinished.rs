@@ -11,7 +11,7 @@ use super::arguments::Format;
 use super::failure::Failure;
 use super::rounds::RoundsLog;
 use super::show::{Sheet, print, rounded};
-use crate::experiment::Keep;
+use crate::experiment::{Keep, Pieces};
 use crate::measure::{Protocol, RoundTrace};
 use crate::report::count;
 use crate::table::{Journal, Journaled, Row, TableError};
@@ -19,7 +19,7 @@ use crate::table::{Journal, Journaled, Row, TableError};
 /// A journal, with what it held when the run was gone on with and that was not handed out yet.
 pub struct Keeper {
     journal: Journal,
-    before: Vec<(String, Vec<Row>)>,
+    before: Pieces,
     rounds: RoundsLog,
 }
 
@@ -30,22 +30,21 @@ impl Keeper {
     /// When it cannot be written.
     pub fn begin(path: &Path, before: Journaled, rounds: RoundsLog) -> Result<Self, TableError> {
         let journal = Journal::begin(path, &before)?;
-        Ok(Keeper { journal, before: before.pieces, rounds })
+        Ok(Keeper { journal, before: Pieces(before.pieces), rounds })
     }
 }
 
 impl Keep for Keeper {
     fn is_kept(&self, piece: &str) -> bool {
-        self.before.iter().any(|(name, _)| name == piece)
+        self.before.has(piece)
     }
 
     fn hand_out(&mut self, piece: &str) -> Option<Vec<Row>> {
-        let place = self.before.iter().position(|(name, _)| name == piece);
-        place.map(|place| self.before.remove(place).1)
+        self.before.take(piece)
     }
 
     fn hand_out_rest(&mut self) -> Vec<Row> {
-        self.before.drain(..).flat_map(|(_, rows)| rows).collect()
+        self.before.take_rest()
     }
 
     fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {

@@ -27,6 +27,28 @@ pub trait Keep {
     fn take_down(&mut self, _protocol: &Protocol, _rounds: &[RoundTrace]) {}
 }
 
+/// Pieces that were kept before and were not handed out yet, by name, in the order of keeping.
+#[derive(Clone, Debug, Default)]
+pub struct Pieces(pub Vec<(String, Vec<Row>)>);
+
+impl Pieces {
+    /// As [`Keep::is_kept`].
+    pub fn has(&self, piece: &str) -> bool {
+        self.0.iter().any(|(name, _)| name == piece)
+    }
+
+    /// As [`Keep::hand_out`].
+    pub fn take(&mut self, piece: &str) -> Option<Vec<Row>> {
+        let place = self.0.iter().position(|(name, _)| name == piece);
+        place.map(|place| self.0.remove(place).1)
+    }
+
+    /// As [`Keep::hand_out_rest`].
+    pub fn take_rest(&mut self) -> Vec<Row> {
+        self.0.drain(..).flat_map(|(_, rows)| rows).collect()
+    }
+}
+
 /// Keeps nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct KeepNothing;

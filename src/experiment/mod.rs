@@ -43,7 +43,7 @@ pub use clock_free::{is_clock_free, run_shard};
 pub use config::{ConfigError, Experiment};
 pub use crossing::{Cost, Costs, crossing};
 pub use distraction::Distraction;
-pub use keep::{Keep, KeepError, KeepNothing};
+pub use keep::{Keep, KeepError, KeepNothing, Pieces};
 pub use memory_workload::MemoryWorkload;
 pub use nearest_workload::NearestWorkload;
 pub use patience::Patience;

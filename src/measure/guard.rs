@@ -21,7 +21,8 @@ const HALF_WAY: f64 = std::f64::consts::SQRT_2;
 const OCCASIONS: usize = 9;
 
 /// How many times longer the block is than its half, each begun as blocks are, in the median, if that
-/// is nearer to once than to twice. `None` where it is not, and for blocks of a single item that have no half.
+/// is nearer to once than to twice. `None` where it is not, and for blocks of a single item that have no
+/// half. Those of a reshuffled order are replayed.
 pub(super) fn doubling(
     job: &mut dyn Job,
     plan: &Plan,
@@ -30,8 +31,8 @@ pub(super) fn doubling(
 ) -> Option<f64> {
     let whole = plan.block(job.items(), plan.trial_window());
     let (half, share) = half_of(whole)?;
-    // Never seen before, the first of a few rays takes longest: the others meet what it has taught. Whether
-    // work was left out is no matter of the order.
+    // Never seen before, the first of a few rays takes longest: the others meet what it has taught.
+    // Whether work was left out is no matter of the order.
     let order = if plan.order == Order::Reshuffled { Order::Fixed } else { plan.order };
     let plan = Plan { order, ..*plan };
     let mut ns = |block| {

@@ -4,7 +4,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use ray_test::experiment::{
-    Bench, Experiment, Keep, KeepNothing, Outcome, Patience, Plan, RunError, run,
+    Bench, Experiment, Keep, KeepNothing, Outcome, Patience, Pieces, Plan, RunError, run,
 };
 use ray_test::measure::{NoCounters, NoRuler, Remember, ScriptedClock, Undisturbed};
 use ray_test::table::{Row, TableError};
@@ -16,28 +16,27 @@ pub struct Memory(pub Vec<(String, Vec<Row>)>);
 /// The same while a run goes on; it hands out what was there before.
 pub struct OfRun<'a> {
     memory: &'a mut Memory,
-    before: Vec<(String, Vec<Row>)>,
+    before: Pieces,
 }
 
 impl<'a> OfRun<'a> {
     pub fn new(memory: &'a mut Memory) -> Self {
-        let before = memory.0.clone();
+        let before = Pieces(memory.0.clone());
         OfRun { memory, before }
     }
 }
 
 impl Keep for OfRun<'_> {
     fn is_kept(&self, piece: &str) -> bool {
-        self.before.iter().any(|(name, _)| name == piece)
+        self.before.has(piece)
     }
 
     fn hand_out(&mut self, piece: &str) -> Option<Vec<Row>> {
-        let place = self.before.iter().position(|(name, _)| name == piece);
-        place.map(|place| self.before.remove(place).1)
+        self.before.take(piece)
     }
 
     fn hand_out_rest(&mut self) -> Vec<Row> {
-        self.before.drain(..).flat_map(|(_, rows)| rows).collect()
+        self.before.take_rest()
     }
 
     fn keep(&mut self, piece: &str, rows: &[Row]) -> Result<(), TableError> {
