@@ -103,6 +103,9 @@ pub trait Job {
         }
         tally
     }
+    /// Moves the data to other pages, for a job that can; no number and no order changes. What lies where
+    /// is a matter of chance, and a block that finds it elsewhere each time is not bound to one draw.
+    fn relocate(&mut self) {}
     /// Brings the data of the block near, without a test.
     fn touch(&mut self, _block: Block) {}
     /// Brings the caches into the state that walking over all items, again and again, leaves before

@@ -83,6 +83,10 @@ impl<E: Element, Q: Copy, T: Copy> Job for PairsJob<E, Q, T> {
         }
     }
 
+    fn relocate(&mut self) {
+        self.laid_out.relocate();
+    }
+
     fn touch(&mut self, block: Block) {
         for pair in &self.laid_out[block.first..][..block.items] {
             black_box(*pair);

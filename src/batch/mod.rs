@@ -16,6 +16,7 @@ mod kind;
 mod layout;
 mod listed;
 mod nearest;
+mod nearest_data;
 mod nearest_job;
 mod packed;
 mod pairs;

@@ -2,11 +2,11 @@
 
 use std::hint::black_box;
 
-use super::aligned::Aligned;
 use super::batches::lay_out_batches;
 use super::best::ANSWER_NUMBERS;
 use super::layout::{Aos, Layout, lay_out, length};
 use super::nearest::{RAY_NUMBERS, Scene};
+use super::nearest_data::{NearestData, Parts};
 use super::packed::{self, pack, unpack};
 use crate::job::{Answer, Block, Job, Tally};
 use crate::number::Element;
@@ -52,12 +52,10 @@ impl<E: Element, T: AsRef<[E]>> Storing<E, T> {
 pub struct NearestJob<E, T> {
     shape: Shape,
     original: Vec<E>,
-    laid_out: Aligned<E>,
     original_records: Vec<T>,
     permuted: Vec<T>,
     storing: Storing<E, T>,
-    numbers: Aligned<E>,
-    answers: Aligned<E>,
+    data: NearestData<E>,
     run: NearestLoop<E>,
 }
 
@@ -71,25 +69,26 @@ impl<E: Element, T: Copy> NearestJob<E, T> {
         run: NearestLoop<E>,
     ) -> Self {
         let original = pack(rays, shape.lanes);
-        let mut numbers = vec![E::ZERO; (storing.length)(&records)];
-        (storing.lay_out)(&records, &mut numbers);
-        NearestJob {
-            shape,
-            laid_out: Aligned::new(&original),
-            original,
-            numbers: Aligned::new(&numbers),
-            permuted: records.clone(),
-            original_records: records,
-            storing,
-            answers: Aligned::new(&vec![E::ZERO; rays.len() * ANSWER_NUMBERS]),
-            run,
-        }
+        let data = NearestData::new(original.len(), rays.len(), (storing.length)(&records));
+        let permuted = records.clone();
+        let original_records = records;
+        let mut job =
+            NearestJob { shape, original, original_records, permuted, storing, data, run };
+        job.restore();
+        job
+    }
+
+    /// Rays and records in their original order.
+    fn restore(&mut self) {
+        let Parts { rays, records, .. } = self.data.parts();
+        rays.copy_from_slice(&self.original);
+        (self.storing.lay_out)(&self.original_records, records);
     }
 }
 
 impl<E: Element, T: Copy> Job for NearestJob<E, T> {
     fn items(&self) -> usize {
-        self.laid_out.len() / (RAY_NUMBERS * self.shape.rays)
+        self.original.len() / (RAY_NUMBERS * self.shape.rays)
     }
 
     fn tests_per_item(&self) -> u64 {
@@ -99,15 +98,16 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
     fn run(&mut self, block: Block) -> Tally {
         let (ray, answer) = (RAY_NUMBERS * self.shape.rays, ANSWER_NUMBERS * self.shape.rays);
         let mut tally = Tally::default();
+        let Parts { rays, answers, records } = self.data.parts();
         let mut run = |first: usize, items: usize| {
             let scene = Scene {
-                rays: &self.laid_out[first * ray..(first + items) * ray],
-                numbers: &self.numbers,
+                rays: &rays[first * ray..(first + items) * ray],
+                numbers: records,
                 triangles: self.original_records.len(),
-                answers: &mut self.answers[first * answer..(first + items) * answer],
+                answers: &mut answers[first * answer..(first + items) * answer],
             };
             (self.run)(scene);
-            let found = &self.answers[first * answer..(first + items) * answer];
+            let found = &answers[first * answer..(first + items) * answer];
             tally = tally.plus(packed::tally(found, self.shape.lanes, self.shape.outputs));
         };
         if block.literal {
@@ -122,7 +122,8 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
 
     fn permute(&mut self, permutation: &[u32]) {
         let ray = RAY_NUMBERS * self.shape.rays;
-        for (place, &from) in self.laid_out.chunks_exact_mut(ray).zip(permutation) {
+        let rays = self.data.parts().rays;
+        for (place, &from) in rays.chunks_exact_mut(ray).zip(permutation) {
             place.copy_from_slice(&self.original[from as usize * ray..][..ray]);
         }
     }
@@ -135,23 +136,24 @@ impl<E: Element, T: Copy> Job for NearestJob<E, T> {
         for (place, &from) in self.permuted.iter_mut().zip(permutation) {
             *place = self.original_records[from as usize];
         }
-        (self.storing.lay_out)(&self.permuted, &mut self.numbers);
+        (self.storing.lay_out)(&self.permuted, self.data.parts().records);
+    }
+
+    fn relocate(&mut self) {
+        self.data.relocate();
     }
 
     fn touch(&mut self, block: Block) {
         let ray = RAY_NUMBERS * self.shape.rays;
-        for number in &self.laid_out[block.first * ray..][..block.items * ray] {
-            black_box(*number);
-        }
-        for number in self.numbers.iter() {
+        let Parts { rays, records, .. } = self.data.parts();
+        for number in rays[block.first * ray..][..block.items * ray].iter().chain(&*records) {
             black_box(*number);
         }
     }
 
     fn answers(&mut self) -> Vec<Answer> {
-        self.laid_out.copy_from_slice(&self.original);
-        (self.storing.lay_out)(&self.original_records, &mut self.numbers);
+        self.restore();
         self.run(Block::whole(self));
-        unpack(&self.answers, self.shape.lanes)
+        unpack(self.data.parts().answers, self.shape.lanes)
     }
 }

@@ -86,6 +86,11 @@ impl<E: Element, T: AsRef<[E]> + Copy> Job for PrepareJob<E, T> {
         self.tally(block.first, block.items).times(block.repeats as u64)
     }
 
+    fn relocate(&mut self) {
+        self.laid_out.relocate();
+        self.records.relocate();
+    }
+
     fn permute(&mut self, permutation: &[u32]) {
         for (place, &from) in self.laid_out.iter_mut().zip(permutation) {
             *place = self.original[from as usize];

@@ -149,7 +149,8 @@ fn put_injected(facts: &mut Facts, injected: &InjectedTrials) {
     put("trials", json!(injected.trials.len()));
     put("found", json!(injected.found()));
     put("sized_within_0.3_points", json!(injected.sized_within(SIZE_ERROR)));
-    let sizes: Vec<f64> = injected.trials.iter().map(|(_, size)| *size).collect();
+    put("crowded", json!(injected.crowded()));
+    let sizes: Vec<f64> = injected.trials.iter().map(|trial| trial.size).collect();
     put("median_percent", json!(crate::stats::median(&sizes).map(percent)));
 }
 

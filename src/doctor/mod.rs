@@ -22,5 +22,5 @@ pub use noise::{Noise, noise};
 pub use oracle::{OracleSpeed, oracle_speed};
 pub use predictor::{Predictor, predictor};
 pub use slowed::Slowed;
-pub use trials::{AaTrials, InjectedTrials, aa_trials, injected_trials};
+pub use trials::{AaTrials, InjectedTrial, InjectedTrials, aa_trials, injected_trials};
 pub use ward::{DoctorError, Ward};

@@ -41,6 +41,10 @@ impl Job for Slowed {
         tally
     }
 
+    fn relocate(&mut self) {
+        self.job.relocate();
+    }
+
     fn permute(&mut self, permutation: &[u32]) {
         self.job.permute(permutation);
     }

@@ -57,25 +57,45 @@ pub fn aa_trials(
     Ok(trials)
 }
 
+/// One comparison of the reference with itself made slower.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InjectedTrial {
+    /// Whether the verdict was `slower`.
+    pub found: bool,
+    /// The slow-down as measured, as a share.
+    pub size: f64,
+    /// The slow-down as injected: the cycles added over those that the reference took in this trial.
+    pub injected: f64,
+    /// Whether somebody else computed on the core to the end: the reference then takes other cycles
+    /// than it took in the trial before, so that what was injected is not what was asked for.
+    pub crowded: bool,
+}
+
 /// Comparisons with a kernel that does a known share of work more.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct InjectedTrials {
-    /// The share, 0.02 for 2 %.
+    /// The share asked for, 0.02 for 2 %.
     pub share: f64,
-    /// Verdict `slower`, and by how much, one a trial.
-    pub trials: Vec<(bool, f64)>,
+    /// One after the other.
+    pub trials: Vec<InjectedTrial>,
 }
 
 impl InjectedTrials {
     /// How many were found.
     pub fn found(&self) -> usize {
-        self.trials.iter().filter(|(found, _)| *found).count()
+        self.trials.iter().filter(|trial| trial.found).count()
     }
 
-    /// How many were found with a size within `error` of the truth.
+    /// How many were found with a size within `error` of what was injected.
     pub fn sized_within(&self, error: f64) -> usize {
-        let right = |(found, size): &&(bool, f64)| *found && (size - self.share).abs() <= error;
+        let right =
+            |trial: &&InjectedTrial| trial.found && (trial.size - trial.injected).abs() <= error;
         self.trials.iter().filter(right).count()
+    }
+
+    /// How many had a neighbour on the core to the end.
+    pub fn crowded(&self) -> usize {
+        self.trials.iter().filter(|trial| trial.crowded).count()
     }
 }
 
@@ -105,17 +125,25 @@ pub fn injected_trials(
         let job = Box::new(Slowed::new(plain.job, share * before));
         group.push(Contestant { id: "slowed".to_owned(), job, ..plain });
         let report = measure(&mut group, Order::Fixed, trial, bench)?;
-        let slowed = report.figures.last();
-        if let Some((ratio, decision)) =
-            slowed.and_then(|figures| figures.ratio_to_reference.zip(figures.decision))
-        {
-            let slower = decision.verdict == Verdict::Slower;
-            found.trials.push((slower, ratio.estimate - 1.0));
-        }
-        cycles = reference_cycles(&report).or(cycles);
+        let now = reference_cycles(&report);
+        found.trials.extend(trial_of(&report, share * before, now.unwrap_or(before)));
+        cycles = now.or(cycles);
         tell(trial + 1);
     }
     Ok(found)
+}
+
+/// What a trial tells whose last contestant was given so many cycles more a test than the reference,
+/// which took `reference` cycles.
+fn trial_of(report: &GroupReport, added: f64, reference: f64) -> Option<InjectedTrial> {
+    let slowed = report.figures.last()?;
+    let (ratio, decision) = slowed.ratio_to_reference.zip(slowed.decision)?;
+    Some(InjectedTrial {
+        found: decision.verdict == Verdict::Slower,
+        size: ratio.estimate - 1.0,
+        injected: added / reference,
+        crowded: report.crowded_share > 0.0,
+    })
 }
 
 fn reference_cycles(report: &GroupReport) -> Option<f64> {
@@ -129,8 +157,20 @@ mod tests {
 
     #[test]
     fn found_and_sized() {
-        let trials = vec![(true, 0.021), (true, 0.0295), (false, 0.02)];
+        let trial = |found, size, injected| InjectedTrial {
+            found,
+            size,
+            injected,
+            crowded: injected < 0.02,
+        };
+        // The second is far from what was asked for, but not from what was injected.
+        let trials = vec![
+            trial(true, 0.021, 0.02),
+            trial(true, 0.0155, 0.014),
+            trial(true, 0.0295, 0.02),
+            trial(false, 0.02, 0.02),
+        ];
         let injected = InjectedTrials { share: 0.02, trials };
-        assert_eq!((injected.found(), injected.sized_within(0.003)), (2, 1));
+        assert_eq!((injected.found(), injected.sized_within(0.003), injected.crowded()), (3, 2, 1));
     }
 }

@@ -33,6 +33,10 @@ impl Job for Dependent {
         self.job.run_dependent(block)
     }
 
+    fn relocate(&mut self) {
+        self.job.relocate();
+    }
+
     fn permute(&mut self, permutation: &[u32]) {
         self.job.permute(permutation);
     }

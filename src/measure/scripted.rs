@@ -14,6 +14,8 @@ pub enum Call {
     Permute(Vec<u32>),
     /// `approach`.
     Approach(Block),
+    /// `relocate`.
+    Relocate,
 }
 
 /// What the scripted jobs of a group share.
@@ -130,6 +132,10 @@ impl Job for ScriptedJob {
 
     fn approach(&mut self, block: Block) {
         self.calls.borrow_mut().push(Call::Approach(block));
+    }
+
+    fn relocate(&mut self) {
+        self.calls.borrow_mut().push(Call::Relocate);
     }
 
     fn permute(&mut self, permutation: &[u32]) {

@@ -8,7 +8,8 @@ fn reshuffled_shows_no_order_twice_and_none_before_its_time() {
     let (contestant, calls) = subject("one", Role::Subject, ScriptedJob::new(&script, 4000, 20));
     let (other, _) = subject("other", Role::Reference, ScriptedJob::new(&script, 4000, 10));
     measure(&mut [contestant, other], &protocol(Order::Reshuffled), &script);
-    let calls = calls.borrow();
+    let calls: Vec<Call> =
+        calls.borrow().iter().filter(|call| **call != Call::Relocate).cloned().collect();
     let first = calls.iter().position(|c| matches!(c, Call::Permute(_))).expect("is permuted");
     // Before: every item once by itself in the original order. At the end: that order again.
     assert_eq!(first, 4000);
@@ -85,12 +86,31 @@ fn fixed_warms_up_on_the_block_and_freezes_the_repeats() {
     measure_with(&mut [contestant], &fixed, &script, &mut Undisturbed, &mut progress, &never);
     let calls = calls.borrow();
     let whole = Block { first: 0, items: 1000, repeats: 1, literal: false };
-    // Half a block of 15 passes, rounded up, before each of 20.
-    for turn in calls[calls.len() - 20 * 9..].chunks(9) {
-        let (warming, timed) = turn.split_at(8);
+    // Half a block of 15 passes, rounded up, before each of 20, where the data are now.
+    for turn in calls[calls.len() - 20 * 10..].chunks(10) {
+        let (before, timed) = turn.split_at(9);
+        let (moved, warming) = before.split_at(1);
+        assert_eq!(moved, [Call::Relocate]);
         assert!(warming.iter().all(|call| *call == Call::Run { block: whole, timed: false }));
         assert_eq!(timed, [Call::Run { block: Block { repeats: 15, ..whole }, timed: true }]);
     }
+}
+
+#[test]
+fn every_block_finds_its_data_elsewhere_but_that_of_a_walk() {
+    for order in [Order::Literal, Order::Fixed, Order::Reshuffled] {
+        let script = Script::default();
+        let (one, calls) = subject("one", Role::Subject, ScriptedJob::new(&script, 1000, 4));
+        measure(&mut [one], &protocol(order), &script);
+        let calls = calls.borrow();
+        let is_timed = |call: &Call| matches!(call, Call::Run { timed: true, .. });
+        let blocks: Vec<&[Call]> =
+            calls.split_inclusive(is_timed).filter(|b| is_timed(&b[b.len() - 1])).collect();
+        let moves = |block: &&[Call]| block.iter().filter(|call| **call == Call::Relocate).count();
+        assert!(blocks[blocks.len() - 20..].iter().all(|block| moves(block) == 1), "{order}");
+    }
+    let calls = walk(&Script::default(), 4000, 1200, &mut Undisturbed);
+    assert!(!calls.contains(&Call::Relocate));
 }
 
 #[test]
