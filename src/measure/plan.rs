@@ -64,7 +64,7 @@ impl Plan {
         let block = self.block(job.items(), window);
         if !self.walks {
             // Of 144 figures of groups of eight, 15 were 1 to 8 % off for as long as the data stayed where
-            // they were, others each time (Zen 4); moved, none of them was.
+            // they were, others each time (Zen 4); moved among eight places, none of them was.
             job.relocate();
         }
         match self.order {
